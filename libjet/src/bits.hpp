@@ -19,7 +19,7 @@ inline void and_not(std::span<const std::uint8_t> a, std::span<const std::uint8_
                     std::span<std::uint8_t> to) {
   const std::size_t count = to.size();
 #ifndef __clang__
-#pragma GCC ivdep  // `to` is one of the others or beside them
+#pragma GCC ivdep  // `to` is a or b, or overlaps neither
 #endif
   for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::uint8_t>(a[i] & ~b[i]);
 }

@@ -18,7 +18,7 @@ bool allowed(double x) {
   return x == 0.0 || (std::abs(x) >= kSmallest && std::abs(x) <= kLargest);
 }
 
-/// 17 digits: a refused value is shown as it is, 1e-120 not as 0.
+/// 17 digits, so that 1e-120 is not shown as 0.
 std::string text(double value) {
   return (std::ostringstream() << std::setprecision(17) << value).str();
 }

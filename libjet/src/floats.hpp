@@ -60,7 +60,7 @@ struct Floats {
   }
 };
 
-/// One number in all lanes, by one instruction; GCC 12 makes two of Floats(*p).
+/// One number in all lanes, by one instruction; GCC 12 needs two for Floats(*p).
 inline Floats repeat(const float* p) {
 #if defined(__AVX__)
   return Floats(reinterpret_cast<Floats::Values>(_mm256_broadcast_ss(p)));
@@ -104,7 +104,7 @@ struct BitPlaces {
 };
 inline constexpr BitPlaces kBitPlaces;
 
-/// The lowest bits of eight bytes of 0 or 1 as one byte: byte i moves to bit 56 + i.
+/// Packs the lowest bits of eight bytes of 0 or 1 into one byte: byte i moves to bit 56 + i.
 [[gnu::always_inline]] inline unsigned first_bits(std::uint64_t bytes) {
   return static_cast<unsigned>(bytes * 0x0102040810204080u >> 56);
 }
@@ -129,7 +129,7 @@ inline constexpr BitPlaces kBitPlaces;
 /// Appends first + i for each set bit i to `out`, which has room for eight; returns their number. Branchless.
 [[gnu::always_inline]] inline int append_bits(unsigned bits, int first, int* out) {
   const std::uint8_t* places = kBitPlaces.at[bits];
-#if defined(__AVX2__)  // which gcc does not find by itself
+#if defined(__AVX2__)  // gcc does not find this instruction by itself
   const auto wide = reinterpret_cast<Floats::Mask>(
       _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(places))));
 #else
@@ -140,8 +140,7 @@ inline constexpr BitPlaces kBitPlaces;
   return __builtin_popcount(bits);
 }
 
-/// Appends those of eight numbers whose bits are set to `out`, which has room for eight; returns their
-/// number.
+/// Appends the numbers whose bits are set, of eight, to `out`, which has room for eight; returns their count.
 [[gnu::always_inline]] inline int append_chosen(unsigned bits, UnalignedInts numbers, int* out) {
   const std::uint8_t* places = kBitPlaces.at[bits];
 #if defined(__AVX2__)
@@ -154,8 +153,8 @@ inline constexpr BitPlaces kBitPlaces;
   return __builtin_popcount(bits);
 }
 
-/// Lists the bytes that are not zero, 512 at a time, and then the places of their bits. The only branch is on
-/// 32 bytes that are all zero.
+/// Lists the non-zero bytes, 512 at a time, and then the places of their bits. The only branch skips 32 bytes
+/// that are all zero.
 inline int list_bits(const std::uint8_t* bytes, int count, int* places) {
   constexpr int most = 512;
   int some[most + 8];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Border between the library and its kernels, which are compiled once for each instruction set: plain data
-// only, so that no inline code of the standard library or Eigen is compiled twice with different flags.
+// Interface between the library and its kernels, which are compiled once for each instruction set. It has
+// plain data only, so that no inline code of the standard library or Eigen is compiled with different flags.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct Vec3 {
   T x, y, z;
 };
 
-/// 3 x n columns. Kernels load four doubles per column; the last column has its copy in `tail`.
+/// 3 x n columns. Kernels load four doubles per column; `tail` has a padded copy of the last column.
 struct Rows {
   const double* first;
   std::ptrdiff_t stride;
@@ -21,7 +21,7 @@ struct Rows {
   double tail[4];
 };
 
-/// A jet in the form that profile.hpp reads.
+/// A jet in the form that profile.hpp uses.
 struct JetShape {
   bool round, momentum, axial;
   double centre[3], axis[3], across[3], along[3];  // across and along: zero for a round outlet
@@ -31,14 +31,15 @@ struct JetShape {
   double cone_width, cone_slope;           // [m], [-]
   double origin;                           // [m] of the virtual origin upstream
   double cut_core, cut_origin, cut_slope;  // [m], [m], [-]: outside where |r| > max(core, origin + slope z)
-  double cut_cosine;                       // [-] of the cut-off's angle to the axis beyond the core
+  double cut_cosine;                       // [-] cosine of the angle between cut-off and axis, beyond the
+                                           // core
   double centre_size;                      // [m] largest magnitude of the centre's coordinates
 };
 
 struct FieldArrays {
   Rows area_vectors, centroids, velocities;
   bool relative_to_skin;
-  /// Bits of groups of four: elements that take load.
+  /// Bits of groups of four: set for elements that take load.
   const std::uint8_t* loaded;
   int count;                  // elements
   double displacement_bound;  // [m]
@@ -46,12 +47,12 @@ struct FieldArrays {
   std::uint8_t* inside;       // see FieldState
   double velocity, factor;    // [m/s] V0, [kg/m3] (1 + e) rho0
   double* overpressure;       // [Pa] written at the candidates
-  int* candidates;            // with room for eight more
+  int* candidates;            // has room for eight more
 };
 
 /// Coordinates along a jet as floats between -1 and 1, four a row: u across, v along the outlet's long side,
-/// w downstream, and the node's code. Bits 0 to 4 of the code: u - slope w below -bound, above bound, the
-/// same for v, w below -bound. Bit 7: w <= 0 in double.
+/// w downstream, and the node's code. Bits 0 to 4 of the code: u - slope w is below -bound; above bound; the
+/// same two for v; w is below -bound. Bit 7: w <= 0 in double.
 struct ProjectArrays {
   Rows nodes;            // [m]
   int count;             // of nodes
@@ -60,10 +61,10 @@ struct ProjectArrays {
   float* local;          // a row per node, with room for 7 more
   std::int32_t* codes;   // of the nodes, with room for 7 more
   const int* triangles;  // 3 per element
-  const int* elements;   // whose rays are bounded
+  const int* elements;   // elements whose rays are bounded
   float slope[4], bound[5];
-  /// If not all nodes are projected: where their rows in `local` begin, ascending, the last one repeated to a
-  /// multiple of eight.
+  /// If only some nodes are projected: the begins of their rows in `local`, ascending, the last one repeated
+  /// to a multiple of eight.
   const std::uint32_t* listed;
 };
 
@@ -72,7 +73,7 @@ inline constexpr int kSides = 0x1f;
 struct ProjectFlags {
   bool outside;  // a coordinate is beyond -1 or 1, or is NaN
   bool small;    // no coordinate is above 1/64
-  /// A coordinate of a node is below 1e-100 and not 0; not tested for listed nodes.
+  /// A coordinate of a node is below 1e-100 in magnitude and not 0; not tested for listed nodes.
   bool tiny;
 };
 
@@ -80,33 +81,33 @@ struct ProjectFlags {
 struct RayArrays {
   const float* targets;  // rows of local coordinates
   float half_long;       // 0: a point source
-  /// Rows: the places of the rays' own elements. Eight can be read.
+  /// Rows of the rays, which are the places of their own elements. Eight can be read.
   const int* list;
   int count;
 };
 
-/// Bounds of the rays' slopes u/w and v/w (v for a line of sources), with their errors.
+/// Bounds of the rays' slopes u/w and v/w (of v itself for a line of sources), including errors.
 struct Frustum {
   float low_u, high_u, low_v, high_v;
 };
 
-/// Patches of eight elements near the rays. Bits of a byte stand for its elements. Elements have the numbers
-/// of the mesh's order, eight to a patch. Lists have room for all elements and eight more.
+/// Patches of eight elements near the rays; a byte has one bit for each. Elements are numbered in the mesh's
+/// order, eight to a patch. Lists have room for all elements and eight more.
 struct PatchArrays {
   const float* local;
   float half_long;
   const std::uint32_t* corner_rows;  // see OrderedMesh
-  int elements;                      // of the mesh
+  int elements;                      // elements of the mesh
   const int* patches;
   int count;
   int outside;                // bits of a code that exclude an element
-  const std::uint8_t* asked;  // by patch of the mesh: elements with rays
+  const std::uint8_t* asked;  // by patch of the mesh: bits of elements with rays
   float error;                // absolute part of the error bound of the orientation
-  /// Of a line from a source: its slopes, or slope across and place along the line.
+  /// Winding ray from a source: its slopes, or slope across and place along the line.
   float winding_u, winding_v;
-  /// Those of `patches` that rays can meet; may be the same array.
+  /// The patches that rays can meet; may be the same array as `patches`.
   int* near;
-  /// Boxes of their elements, kBoxFloats each. Lanes behind the mesh's last element hold that element's box.
+  /// Boxes of their elements, kBoxFloats each. Lanes after the mesh's last element repeat its box.
   float* boxes;
   float* targets;  // rows of the near patches that have rays
   // By patch of the mesh, written for near patches. Sources whose rays can touch an element certainly see its
@@ -137,22 +138,22 @@ struct PairArrays {
   float half_long;
   const std::uint32_t* corner_rows;  // see OrderedMesh
   const int *rays, *elements;
-  // Results, bits of eight; each is certain where set:
+  // Results, one bit for each of eight; a set bit is certain:
   std::uint8_t* blocked;  // the segment crosses the interior
   std::uint8_t* pierced;  // the line crosses the interior
   std::uint8_t* apart;    // the segment does not touch the element
   std::uint8_t* missed;   // the line does not touch the element
 };
 
-inline constexpr int kBoxFloats = 40;  // of eight elements
+inline constexpr int kBoxFloats = 40;  // boxes of eight elements
 
-/// Lists of pairs, with room for all elements eight times and eight more; and two workspace lists with room
+/// Lists of pairs, with room for eight times all elements and eight more; and two workspace lists with room
 /// for all elements and eight more.
 struct PairLists {
   int *rays, *elements, *first, *second;
 };
 
-/// Pyramid of boxes, eight below one; see pyramid.hpp.
+/// Pyramid of boxes, each around eight lower ones; see pyramid.hpp.
 struct PyramidView {
   const float* boxes;
   int levels;
@@ -161,17 +162,16 @@ struct PyramidView {
 };
 
 struct KernelTable {
-  /// Writes the elements whose rows `select` and `evaluate` will read to `elements`, with room for eight
+  /// Lists the elements whose rows `select` and `evaluate` will read in `elements`, which has room for eight
   /// more. Returns their number.
   int (*list_needed)(const FieldArrays&, int* elements);
-  /// Writes the elements inside the cut-off, of an axial jet only those not seen from behind, to
-  /// `candidates`. Returns their number.
+  /// Lists the elements inside the cut-off in `candidates`; for an axial jet only those that do not face
+  /// away. Returns their number.
   int (*select)(const JetShape&, const FieldArrays&);
-  /// Computes the overpressure of the first `count` candidates and drops those without. Returns their number,
-  /// or -1 - element if the overpressure of that element is not finite.
+  /// Computes the overpressure of the first `count` candidates and drops those with none. Returns the number
+  /// left, or -1 - element if the overpressure of that element is not finite.
   int (*evaluate)(const JetShape&, const FieldArrays&, int count);
-  /// Sum of overpressure times area vector over `count` elements. `sum` has four numbers, of which three
-  /// count.
+  /// Sum of overpressure times area vector over `count` elements. `sum` has four numbers, three of them used.
   void (*force)(const Rows& area_vectors, const double* overpressure, const int* elements, int count,
                 double* sum);
 
@@ -187,17 +187,17 @@ struct KernelTable {
   /// Lists the places of the bits of `count` bytes, a multiple of 32. Returns their number. `places` has room
   /// for eight more.
   int (*list_bits)(const std::uint8_t* bytes, int count, int* places);
-  /// Selects the patches that have elements `chosen` (bits by patch of the mesh). Writes them to `patches`,
-  /// and their boxes to `boxes`; boxes of other elements are empty there. Returns their number.
+  /// Lists the patches with `chosen` elements (bits by patch of the mesh) in `patches`, and their boxes in
+  /// `boxes`, where other elements have empty boxes. Returns their number.
   int (*choose_boxes)(const BoxArrays&, const std::uint8_t* chosen, float* boxes, int* patches);
-  /// Merges the eight boxes of each block to the box around them. Lanes behind the last hold anything.
+  /// Merges the eight boxes of each block to the box around them. Lanes after the last hold anything.
   void (*merge)(const float* blocks, int count, float* boxes);
-  /// Finds the pairs of these rays, at most eight, and elements whose boxes they meet. Returns their number.
-  /// If `to_targets`, only elements before the ray's target and other than its own; places behind the mesh's
-  /// last stand for that element and are not excluded. The lowest blocks of the pyramid are `patches`.
+  /// Finds pairs of a ray, of at most eight, and an element whose box it meets. Returns their number. If
+  /// `to_targets`, only elements before the ray's target and other than its own; places after the mesh's last
+  /// element stand for it and are not excluded. The lowest blocks of the pyramid are `patches`.
   ///
-  /// The rays are better separated if one's place follows another's by more than `far_places`. Then returns
-  /// minus the number of rays before the first such gap.
+  /// If the places of two successive rays differ by more than `far_places`, returns minus the number of rays
+  /// before the first such gap: the caller should split them there.
   int (*find_pairs)(const RayArrays&, int far_places, bool to_targets, const PyramidView&, const int* patches,
                     const PairLists&);
   void (*meet_pairs)(const PairArrays&, int count);

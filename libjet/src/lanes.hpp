@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four double lanes on the compiler's vector extension. They are always four, so that the bits are the same
-// on every instruction set. The type lives in the namespace of the instruction set. So templates over it are
-// different functions in each translation unit, and the linker cannot exchange them. For the same reason
-// nothing inline of the standard library is used here.
+// Four double lanes on the compiler's vector extension. There are always four, so that every instruction set
+// gives the same bits. The type is in the namespace of its instruction set: so templates over it differ
+// between translation units, and the linker cannot mix them up. For the same reason this file uses nothing
+// inline of the standard library.
 #pragma once
 
 #include <cstddef>
@@ -76,12 +76,12 @@ inline unsigned bits(Lanes::Mask m) {
 inline Lanes exp(Lanes x) {
   constexpr double log2_e = 1.4426950408889634, shift = 0x1.8p52;
   constexpr double ln2_high = 0x1.62e42fefa3800p-1,
-                   ln2_low = 0x1.ef35793c76730p-45;  // high: 11 zeros at the end
+                   ln2_low = 0x1.ef35793c76730p-45;  // the high part ends with 11 zeros
   const Lanes inside = max(x, Lanes(-709.0));
   const Lanes shifted = Lanes(shift) + log2_e * inside;  // n in the low bits
   const Lanes n = shifted - shift;
   const Lanes r = (inside - ln2_high * n) - ln2_low * n;
-  // The sum of x^k / k!, by pairs and pairs of pairs, which keeps the chains of operations short.
+  // Sums x^k / k! by pairs and pairs of pairs, which keeps the chains of operations short.
   const auto pair = [&](double even, double odd) { return odd * r + Lanes(even); };
   const Lanes r2 = r * r, r4 = r2 * r2;
   const Lanes low = pair(1.0 / 24.0, 1.0 / 120.0) + r2 * pair(1.0 / 720.0, 1.0 / 5040.0);
@@ -94,7 +94,7 @@ inline Lanes exp(Lanes x) {
   return select(x < Lanes(-708.0), Lanes(), sum * Lanes(reinterpret_cast<Lanes::Values>(exponent)));
 }
 
-/// Row i: four doubles, of which three count.
+/// Row i: four doubles, three of them used.
 [[gnu::always_inline]] inline const double* row(const Rows& rows, int i) {
   return i == rows.last ? rows.tail : rows.first + i * rows.stride;
 }

@@ -5,7 +5,7 @@
 
 namespace jet {
 
-/// Outlets with a tabulated decay coefficient a. The first three are round, the others plane.
+/// Outlets with a tabulated decay coefficient a. The first three are round, the others are plane.
 enum class OutletType {
   contracting_nozzle,  // 0.066 (to 0.071)
   cylindrical_tube,    // 0.08 (from 0.076)
@@ -17,7 +17,7 @@ enum class OutletType {
 
 /// Decay coefficient a [-] of (J.3) or (J.4). Source: Abramovich's turbulence coefficients as tabulated in
 /// Cai and Long, Fluid Mechanics, Pumps and Fans (gas jets), and in Idelchik, Handbook of Hydraulic
-/// Resistance. Their spread angles are Tollmien's, see docs/theory/jet.md.
+/// Resistance. For the spread angles, which are Tollmien's, see docs/theory/jet.md.
 double decay_coefficient(OutletType type);
 
 /// Decay of a round jet, V_max / V0 = min(1, 0.96 / (a z/R0 + 0.29)) [-] (J.3). `distance` = z/R0 >= 0 [-],
@@ -34,7 +34,7 @@ double round_core_length(double decay_coefficient);
 double plane_core_length(double decay_coefficient);
 
 /// Distance of a round jet's virtual origin upstream of the outlet, in outlet radii [-]: 0.29/a. The decay
-/// law has its pole there.
+/// law is singular there.
 double round_virtual_origin(double decay_coefficient);
 /// The same for a plane jet, in half short sides [-]: 0.41/a.
 double plane_virtual_origin(double decay_coefficient);

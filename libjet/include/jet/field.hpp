@@ -21,10 +21,11 @@ struct FieldState {
   std::vector<double> overpressure;  // [Pa] M, dp of each element; 0 off the candidates
   /// Elements inside the jet that face it, within the cut-off; ascending.
   std::vector<int> candidates;
-  double displacement_bound = kMotionUnknown;  // [m] as of the last call
-  /// A byte for each group of four elements. Bits: inside the jet and able to take load.
+  double displacement_bound = kMotionUnknown;  // [m] of the last call
+  /// One byte for each group of four elements. A bit is set if the element is inside the jet and can take
+  /// load.
   std::vector<std::uint8_t> inside{};
-  /// [m] For each group: `inside` holds while displacement_bound is below.
+  /// [m] one for each group: `inside` is valid while displacement_bound is below it.
   std::vector<double> slack{};
   std::vector<int> selected{};  // workspace: choice of candidates, elements needed
 };
@@ -32,15 +33,16 @@ struct FieldState {
 /// Field of one jet over a surface of M elements. Const after construction.
 class JetField {
  public:
-  /// `null_elements` take no load. Throws std::invalid_argument for a model that validated() refuses, an
-  /// empty surface, and an element index out of range.
+  /// `null_elements` take no load. Throws std::invalid_argument for a model that fails validated(), an empty
+  /// surface, and an element index out of range.
   JetField(const JetModel& model, int element_count, std::span<const int> null_elements = {});
 
-  const JetModel& model() const { return model_; }  // with axis and long direction normalised
+  const JetModel& model() const { return model_; }  // the model, with axis and long direction normalised
   FieldState make_state() const;                    // sized for the surface, all zero
 
-  /// Elements whose columns the next evaluate() uses, with the same outlet and bound; those of others may
-  /// hold any numbers. In no order; valid until then. Throws std::invalid_argument for a foreign state.
+  /// Elements whose columns the next evaluate() with the same outlet and bound will read, in no order. Other
+  /// columns may hold any numbers. Valid until that call. Throws std::invalid_argument for another field's
+  /// state.
   std::span<const int> needed(const OutletState& outlet, double displacement_bound, FieldState& state) const;
 
   /// Computes the overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), with V at the centroid and n the unit
@@ -49,11 +51,12 @@ class JetField {
   /// A candidate has V . n > 0 and an area > 0. Its centroid lies strictly downstream of the outlet's plane
   /// (z > 0) and within the cut-off. Without flow (density or velocity 0) there is no candidate.
   ///
-  /// `velocities` [m/s], 3 x M, are those of the centroids; they are read if the model has relative_to_skin.
-  /// Then dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as well.
+  /// `velocities` [m/s], 3 x M, are the centroids' velocities; they are used if the model has
+  /// relative_to_skin. Then dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as
+  /// well.
   ///
-  /// `displacement_bound` [m]: between two calls no centroid moves farther than the bound grows. Elements
-  /// that cannot have crossed a bound of the jet are then skipped; the results are the same. Without it, and
+  /// `displacement_bound` [m] grows between two calls by at least the motion of every centroid. Elements that
+  /// cannot have crossed a bound of the jet are then skipped; the results are the same. Without it, and
   /// whenever it decreases, all elements are examined.
   ///
   /// Throws std::invalid_argument for a wrong shape or missing velocities, and DomainError if the outlet's

@@ -15,19 +15,19 @@ enum class OutletShape { round, rectangular };
 /// Width law: conservation of axial momentum flux, or a constant half angle (as drawn in the paper).
 enum class Spread { momentum, cone };
 
-/// Direction of the velocity: along the axis everywhere, or away from the virtual origin (a line for a
-/// rectangular outlet).
+/// Direction of the velocity: along the axis, or away from the virtual origin (a line for a rectangular
+/// outlet).
 enum class Direction { axial, radial };
 
-/// Gas jet. Members that are NaN by default must be given if the shape or the spread reads them.
+/// Gas jet. Members that are NaN by default must be given if the shape or the spread uses them.
 struct JetModel {
   /// Default of members that must be given.
   static constexpr double kMustBeGiven = std::numeric_limits<double>::quiet_NaN();
 
-  OutletShape shape = OutletShape::round;  // decides which of the sizes below are read
+  OutletShape shape = OutletShape::round;  // decides which of the sizes below are used
   Eigen::Vector3d centre = Eigen::Vector3d::Constant(kMustBeGiven);  // [m] centre of the outlet
   Eigen::Vector3d axis = Eigen::Vector3d::Constant(kMustBeGiven);    // [-] into the bag; any length > 0
-  /// [-] Rectangular: along the long side.
+  /// [-] rectangular: direction of the long side.
   Eigen::Vector3d long_direction = Eigen::Vector3d::Constant(kMustBeGiven);
   double radius = kMustBeGiven;             // [m] round: R0
   double short_side = kMustBeGiven;         // [m] rectangular: 2 b0
@@ -35,14 +35,14 @@ struct JetModel {
   double decay_coefficient = kMustBeGiven;  // [-] a of (J.3), (J.4)
 
   Spread spread = Spread::momentum;  // how the width grows along the axis
-  /// [m] Cone: R(0) or b(0), the half-width in the outlet at which V = V_max/e.
+  /// [m] cone: R(0) or b(0), the half-width in the outlet at which V = V_max/e.
   double cone_initial_width = kMustBeGiven;
   double cone_half_angle = kMustBeGiven;  // [rad] cone: 0 <= angle < pi/2
 
-  Direction direction = Direction::axial;  // of the velocity
+  Direction direction = Direction::axial;  // direction of the velocity
   /// [-] e in [0, 1]: 1 is complete reflection, 0 deflection along the surface.
   double restitution = 1.0;
-  /// [-] in [0, 1): elements where (V/V_max)^2 is below this are no candidates; see momentum_loss.
+  /// [-] in [0, 1): elements with (V/V_max)^2 below this are not candidates; see momentum_loss.
   double cut_off = 1e-3;
   /// True: the overpressure follows from the velocity relative to the element. Such a jet damps the skin,
   /// half a step late, at up to c = damping_rate (J.9). The stable step is then less than the skin's own:
@@ -61,8 +61,8 @@ JetModel validated(const JetModel& model);
 /// Area of the outlet [m2], pi R0^2 or 2 b0 L.
 double outlet_area(const JetModel& model);
 
-/// Share of the axial momentum flux outside the cut-off [-], hence of the force on an infinite plane. Round:
-/// cut_off; rectangular: erfc(sqrt(ln(1/cut_off))).
+/// Share [-] of the axial momentum flux, and so of the force on an infinite plane, outside the cut-off.
+/// Round: cut_off; rectangular: erfc(sqrt(ln(1/cut_off))).
 double momentum_loss(const JetModel& model);
 
 /// Source of the jet's rays: the centre (round), or the line through it along the long side (rectangular).
@@ -76,9 +76,8 @@ struct Section {
 /// Section at distance z >= 0 [m] from the outlet.
 Section section(const JetModel& model, double z);
 
-/// Velocity over that in the outlet, V / V0 [-], at a point strictly downstream of the outlet's plane (z > 0)
-/// and between the ends of the long side (J.5); zero elsewhere. No cut-off. Precondition: the model comes
-/// from validated().
+/// V / V0 [-] by (J.5), without cut-off, at a point strictly downstream of the outlet's plane (z > 0) and
+/// between the ends of the long side; zero elsewhere. Precondition: the model comes from validated().
 Eigen::Vector3d relative_velocity(const JetModel& model, const Eigen::Vector3d& point);
 
 }  // namespace jet

@@ -6,19 +6,19 @@
 
 namespace jet {
 
-/// A quantity left its domain during a run. what() names it, its value and what is allowed.
+/// A quantity left its domain during a run. what() gives its name, its value and its range.
 class DomainError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Law of the outlet pressure. `sonic`: always sonic, so that the outlet pressure follows the mass flow (the
-/// paper's form). `pressure_matched`: sonic while the resulting outlet pressure is at least the bag's, else
-/// subsonic at bag pressure.
+/// Law of the outlet pressure. `sonic` (the paper's form): the flow is always sonic, and the mass flow sets
+/// the outlet pressure. `pressure_matched`: the flow is sonic while that outlet pressure is at least the
+/// bag's, else subsonic at bag pressure.
 enum class OutletLaw { sonic, pressure_matched };
 
-/// Meaning of the inflator's temperature: that of the moving gas in the outlet (the paper's form), or that in
-/// the chamber.
+/// Meaning of the inflator's temperature: of the moving gas in the outlet (the paper's form), or in the
+/// chamber.
 enum class OutletTemperature { static_value, stagnation };
 
 /// Constant data of an outlet.
@@ -31,22 +31,23 @@ struct OutletModel {
 /// Inflow to the outlet at one instant.
 struct OutletInput {
   double mass_flow = 0.0;     // [kg/s] >= 0
-  double temperature = 0.0;   // [K] > 0, static or stagnation as OutletModel says
+  double temperature = 0.0;   // [K] > 0, static or stagnation by OutletModel
   double cp = 0.0;            // [J/(kg K)] of the inflator's gas, > gas_constant
   double gas_constant = 0.0;  // [J/(kg K)] specific, > 0
-  double bag_pressure = 0.0;  // [Pa] absolute, > 0; only `pressure_matched` reads it
+  double bag_pressure = 0.0;  // [Pa] absolute, > 0; used by `pressure_matched` only
 };
 
 /// Uniform gas state in the outlet.
 struct OutletState {
   double velocity = 0.0;     // [m/s] V0 >= 0
-  double density = 0.0;      // [kg/m3] rho0 >= 0; 0 without flow if `sonic`
+  double density = 0.0;      // [kg/m3] rho0 >= 0; 0 if there is no flow and the law is `sonic`
   double pressure = 0.0;     // [Pa] static, rho0 R T
   double temperature = 0.0;  // [K] static
 };
 
 /// Throws std::invalid_argument unless the area is finite and > 0, and `pressure_matched` has a stagnation
-/// temperature. (A static temperature does not give the energy that sets the subsonic velocity.)
+/// temperature. (The subsonic velocity follows from the total energy, which a static temperature does not
+/// give.)
 void validate(const OutletModel& model);
 
 /// Outlet velocity and density, (J.1) and (J.2):

@@ -12,9 +12,9 @@
 
 namespace jet {
 
-/// Connectivity of the pieces. Those of element e are e n^2 ... (e + 1) n^2 - 1, wound as e. Elements share
-/// the nodes on a common edge, so the pieces of a closed surface form a closed surface. Const after
-/// construction.
+/// Connectivity of the pieces. Element e has the pieces e n^2 ... (e + 1) n^2 - 1, with its own winding.
+/// Neighbours share the nodes on their common edge, so the pieces of a closed surface form a closed surface.
+/// Const after construction.
 class Subdivision {
  public:
   /// A node of the pieces, as a weighted mean of nodes of the mesh.
@@ -27,24 +27,25 @@ class Subdivision {
   /// outside [0, node_count), n outside 1 to 64, and more than 2^31 - 1 pieces.
   Subdivision(const Triangles& triangles, int node_count, int n);
 
-  int pieces() const { return pieces_; }                              // of one element, n^2
-  int node_count() const { return static_cast<int>(nodes_.size()); }  // of the pieces
+  int pieces() const { return pieces_; }                              // pieces of one element, n^2
+  int node_count() const { return static_cast<int>(nodes_.size()); }  // nodes of the pieces
   const Eigen::Matrix3Xi& triangles() const { return triangles_; }    // 3 x M n^2
 
   /// Pieces of the listed elements, in their order.
   std::vector<int> pieces_of(std::span<const int> elements) const;
 
-  /// Values at the nodes of the pieces, 3 x node_count(), by linear interpolation of those at the mesh's
-  /// nodes. The mesh's own nodes come first and keep their bits. `result` has its shape. Throws
+  /// Interpolates values at the mesh's nodes linearly to the nodes of the pieces, 3 x node_count(). The
+  /// mesh's own nodes come first and keep their bits. `result` already has that shape. Throws
   /// std::invalid_argument for a wrong shape.
   void interpolate(const Points& values, Eigen::Matrix3Xd& result) const;
 
-  /// Area vectors of the pieces [m2], 3 x M n^2: those of the elements, 3 x M, over n^2. Throws as
+  /// Area vectors of the pieces [m2], 3 x M n^2: the elements' area vectors, 3 x M, divided by n^2. Throws as
   /// interpolate.
   void share_areas(const Points& area_vectors, Eigen::Matrix3Xd& result) const;
 
-  /// Field of the elements from that of the pieces. The overpressure is averaged; an element is a candidate
-  /// if a piece is. Throws std::invalid_argument if a state has another number of elements or pieces.
+  /// Field of the elements from the field of the pieces. The overpressure is averaged; an element is a
+  /// candidate if one of its pieces is. Throws std::invalid_argument if a state has another number of
+  /// elements or pieces.
   void average(const FieldState& pieces, FieldState& elements) const;
 
  private:
@@ -54,7 +55,7 @@ class Subdivision {
 };
 
 /// Means of nodal values over the corners of each triangle, ((a + b) + c) / 3. `result` is 3 x M. Throws
-/// std::invalid_argument for another shape, and for a corner that has no value.
+/// std::invalid_argument for another shape, and for a corner without a value.
 void corner_means(const Points& values, const Triangles& triangles, Eigen::Matrix3Xd& result);
 
 }  // namespace jet

@@ -7,12 +7,13 @@
 //   target  g = ((a + b) + c) / 3
 //   source  s = centre                                          if half_long = 0 (round outlet), else
 //           s = centre + t l, d = g - centre, t = (dx lx + dy ly) + dz lz clamped to +-half_long
-// All predicates from there on are those of exact arithmetic:
-// - The candidate faces the source if orientation(s, a, b, c) > 0, that is if its inner side is seen.
+// All further predicates are exact:
+// - The candidate faces the source if orientation(s, a, b, c) > 0, that is, if the source sees its inner
+//   side.
 // - An element other than the candidate (by index) blocks if the open segment s g meets its closed triangle
 //   and does not lie in its plane. So a degenerate triangle never blocks, and a duplicate of the candidate
 //   can.
-// - If s lies on a closed element of non-zero area, whatever its role, s + eps axis with eps -> 0+ replaces s
+// - If s lies on a closed element of non-zero area, of any role, then s + eps axis with eps -> 0+ replaces s
 //   in every predicate of that ray. An element whose plane contains that ray never blocks.
 // - Null and attachment elements never block.
 //
@@ -33,9 +34,9 @@ namespace jet {
 /// Source of the rays.
 struct RaySource {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m]
-  /// [-] Not 0. A source on the surface is moved along it.
+  /// [-] not 0. A source on the surface is moved along it.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
-  /// [-] Unit vector along the line of sources; used as given, and read if half_long > 0.
+  /// [-] unit vector along the line of sources; used as given, if half_long > 0.
   Eigen::Vector3d long_direction = Eigen::Vector3d::Zero();
   double half_long = 0.0;  // [m] half the outlet's long side; 0: a point source
 };
@@ -44,12 +45,12 @@ struct RaySource {
 enum class VisibilityRoute {
   /// Default: float and double arithmetic with error bounds; elements that face away come first.
   fast,
-  /// CGAL's AABB tree, built at every call. Of the library jet_tree: see jet_tree/tree_route.hpp.
+  /// CGAL's AABB tree, built at every call; in the library jet_tree, see jet_tree/tree_route.hpp.
   cgal_tree,
   brute_force  // every pair, by CGAL's predicates: the oracle
 };
 
-/// False for cgal_tree unless this program has added it.
+/// False for cgal_tree unless this program called add_tree_route().
 bool has_route(VisibilityRoute route);
 
 /// Elements with a special role. They never block, but count in winding numbers.
@@ -60,18 +61,18 @@ struct SurfaceRoles {
 
 /// Counters of one query. candidates = lit + hidden + facing_away.
 struct VisibilityCounters {
-  std::size_t candidates = 0;   // elements asked about
+  std::size_t candidates = 0;   // elements queried
   std::size_t lit = 0;          // face the source, and nothing blocks
   std::size_t hidden = 0;       // face the source, but are blocked
   std::size_t facing_away = 0;  // orientation <= 0
   std::size_t exact_calls = 0;  // predicates by CGAL's kernel; may depend on earlier queries
-  /// Fast route: rays that its short cut did not decide, so that the whole rule was tested.
+  /// Fast route: rays that the counting of crossings did not decide, so that the whole rule was tested.
   std::size_t fallbacks = 0;
-  /// Trees of boxes that the fast route built, which allocates. This happens for a folded surface with many
-  /// rays square to the axis, and for coordinates above 1e7 extents.
+  /// Trees of boxes that the fast route built, which allocates. It does so for a folded surface with many
+  /// rays perpendicular to the axis, and for coordinates above 1e7 extents.
   std::size_t tree_builds = 0;
 
-  VisibilityCounters& operator+=(const VisibilityCounters& other);  // adds those of another query
+  VisibilityCounters& operator+=(const VisibilityCounters& other);  // adds the counters of another query
 };
 
 /// Visibility on a surface of fixed connectivity. It owns its workspace: use one object per thread. Data kept
@@ -81,7 +82,7 @@ class VisibilityQuery {
   /// Throws std::invalid_argument for an empty mesh, a node index outside [0, node_count), and a role's
   /// element index out of range.
   VisibilityQuery(const Triangles& triangles, int node_count, const SurfaceRoles& roles = {});
-  /// A query on the same surface that knows nothing of earlier ones. Its mesh is shared, not built again.
+  /// A fresh query on the same surface. It shares the mesh but no data of earlier queries.
   VisibilityQuery another() const;
   ~VisibilityQuery();
   VisibilityQuery(VisibilityQuery&&) noexcept;
@@ -89,26 +90,26 @@ class VisibilityQuery {
 
   /// Sets lit[k] to 1 if candidates[k] is lit, else to 0. `nodes` [m] is 3 x node_count.
   ///
-  /// `displacement_bound` [m]: between two queries no node moves farther than the bound grows. The fast route
-  /// then reads nodes far from all rays only from time to time; the mask is the same. It may notice a
-  /// coordinate out of range later. Without the bound, and whenever it decreases, it reads all nodes.
+  /// `displacement_bound` [m] grows between two queries by at least the motion of every node. The fast route
+  /// then reads nodes far from all rays only now and then. The mask is the same, but a coordinate out of
+  /// range may be noticed later. Without the bound, and whenever it decreases, it reads all nodes.
   ///
-  /// Throws std::invalid_argument for wrong sizes and indices, a route that is not there, and an axis of
-  /// zero. Also for coordinates, of the source or of a node that an element uses, that are neither 0 nor
-  /// 1e-100 to 1e100 in magnitude.
+  /// Throws std::invalid_argument for wrong sizes and indices, an unavailable route, and a zero axis. Also
+  /// throws it if a coordinate of the source, or of a node that an element uses, is neither 0 nor 1e-100 to
+  /// 1e100 in magnitude.
   VisibilityCounters query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                            std::span<const int> candidates, std::span<std::uint8_t> lit,
                            double displacement_bound = kMotionUnknown);
 
-  /// Winding number of the ray source of each candidate; 1 inside a closed outward surface. Sources on the
-  /// surface are moved as above. Exact. std::nullopt if the surface is open, the moved source stays on an
-  /// element (its plane contains the axis) or no generic ray was found. Meant for checks before a run: O(M)
-  /// per candidate, and it allocates.
+  /// Winding number of the ray source of each candidate; 1 inside a closed outward surface. It is exact;
+  /// sources on the surface are moved as above. std::nullopt if the surface is open, the moved source stays
+  /// on an element (its plane contains the axis) or no generic ray was found. Meant for checks before a run:
+  /// O(M) per candidate, and it allocates.
   std::vector<std::optional<int>> winding_numbers(const Points& nodes, const RaySource& source,
                                                   std::span<const int> candidates);
 
-  int element_count() const;  // M of the surface
-  bool closed() const;        // each directed edge occurs as often as its opposite
+  int element_count() const;  // M, the number of elements
+  bool closed() const;        // True if each directed edge occurs as often as its opposite.
 
  private:
   struct Impl;

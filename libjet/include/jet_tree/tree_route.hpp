@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Library jet_tree: the reference route through CGAL's AABB tree. That tree is GPL, so it stands apart from
-// libjet.
+// Library jet_tree: the reference route through CGAL's AABB tree. The tree is GPL, therefore it is a library
+// of its own.
 #pragma once
 
 namespace jet {
 
-/// From now on VisibilityRoute::cgal_tree may be asked for in this program. Returns true, for initialisers.
+/// Makes VisibilityRoute::cgal_tree available in this program. Returns true, so that an initialiser can call
+/// it.
 bool add_tree_route();
 
 }  // namespace jet

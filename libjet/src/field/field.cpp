@@ -50,7 +50,7 @@ std::size_t slack_size(int element_count) {
   return set_bytes((static_cast<std::size_t>(element_count) + 3) / 4);
 }
 
-// Without a bound, or where it decreased, nothing is known of where the elements are.
+// Without a bound, or if it decreased, the motion of the elements is not known.
 void move(double displacement_bound, FieldState& state) {
   if (!(displacement_bound >= state.displacement_bound))
     std::fill(state.slack.begin(), state.slack.end(), -HUGE_VAL);
@@ -67,12 +67,12 @@ bool no_flow(const OutletState& outlet) {
   return outlet.density == 0.0 || outlet.velocity == 0.0;
 }
 
-constexpr std::size_t kRoom = 8;  // that the kernels want behind the candidates
+constexpr std::size_t kRoom = 8;  // room that the kernels need behind the candidates
 
-// Every width law is the larger of a constant and a straight line in z; the cut-off is the same multiple of
-// it.
+// Every width law is the larger of a constant and a straight line in z. The cut-off is a multiple of the
+// width.
 void set_cut(const JetModel& model, JetShape& shape) {
-  constexpr double everywhere = 1e100;  // stands for a cut-off of 0; its square is finite
+  constexpr double everywhere = 1e100;  // for a cut-off of 0; its square is finite
   const double multiple = std::min(std::sqrt(-0.5 * elementary::log(model.cut_off)), everywhere);
   const double core = shape.size * (shape.round ? round_core_length(model.decay_coefficient)
                                                 : plane_core_length(model.decay_coefficient));
@@ -144,7 +144,7 @@ std::span<const int> JetField::needed(const OutletState& outlet, double displace
 
 void JetField::evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                         FieldState& state, const Points* velocities, double displacement_bound) const {
-  move(displacement_bound, state);  // refused or not, the elements may have moved
+  move(displacement_bound, state);  // even if the input is then refused, the elements may have moved
   require_columns("area_vectors", area_vectors.cols(), element_count_);
   require_columns("centroids", centroids.cols(), element_count_);
   require_velocities(model_, velocities, element_count_);
@@ -170,7 +170,7 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   const KernelTable& kernels = kernel_table();
   const int count = kernels.evaluate(*shape_, arrays, kernels.select(*shape_, arrays));
   if (count < 0) {
-    std::fill(state.overpressure.begin(), state.overpressure.end(), 0.0);  // some may have been written
+    std::fill(state.overpressure.begin(), state.overpressure.end(), 0.0);  // some may already be set
     refuse_overpressure(-1 - count);
   }
   state.candidates.assign(state.selected.begin(), state.selected.begin() + count);
@@ -183,7 +183,7 @@ void apply_mask(std::span<const std::uint8_t> lit, FieldState& state) {
                                 std::to_string(state.candidates.size()));
   }
   double* overpressure = state.overpressure.data();
-  // No branch to predict; a product would keep the sign, and NaN.
+  // Without a branch. A product would keep the sign and NaN.
   for (std::size_t k = 0; k < lit.size(); ++k) {
     double& dp = overpressure[state.candidates[k]];
     dp = std::bit_cast<double>(std::bit_cast<std::uint64_t>(dp) & (lit[k] == 0 ? 0 : ~std::uint64_t{0}));

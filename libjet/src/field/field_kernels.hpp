@@ -7,12 +7,12 @@
 
 namespace jet::JET_KERNELS {
 
-/// Bound of the rounding in a point's motion and distances, relative to its coordinates: some 10 roundings.
+/// Bound of the rounding of a point's motion and distances, relative to its coordinates: some 10 roundings.
 inline constexpr double kPlaceError = 1e-14;
 
 /// Points of a group of four that are not outside the jet. NaN counts as not outside; later steps find it.
-/// `slack` is how far all four may move with the same result: every bound of the jet is a distance, or a
-/// distance over the cosine, on both sides.
+/// `slack` is how far all four can move without a change: each bound of the jet is a distance, or a distance
+/// divided by the cosine.
 struct Inside {
   unsigned points;
   double slack;  // [m]
@@ -48,7 +48,7 @@ template <bool round>
   return gather(at(0), at(1), at(2), at(3));
 }
 
-/// Rows of four elements in ascending order, so only the last element can be the last row.
+/// Rows of four elements in ascending order: only the last element can be the last row.
 [[gnu::always_inline]] inline Vec3<Lanes> four_rows(const Rows& r, const int* e) {
   const auto at = [&](int i) { return r.first + e[i] * r.stride; };
   if (e[3] < r.last) return gather(at(0), at(1), at(2), at(3));
@@ -93,7 +93,7 @@ inline int list_inside(const std::uint8_t* inside, int begin, int count, int* li
   return found;
 }
 
-/// Lists the elements whose rows are read next: of open groups all, of others those inside.
+/// Lists the elements whose rows are read next: all of open groups, and those inside of other groups.
 inline int list_needed(const FieldArrays& a, int* elements) {
   constexpr int most = 256;
   const int groups = (a.count + 3) / 4;
@@ -142,13 +142,13 @@ inline int select_as(const JetShape& jet, const FieldArrays& arrays) {
   return count;
 }
 
-/// Lists the elements that are inside the jet and not seen from behind.
+/// Lists the elements inside the jet that do not face away from it.
 inline int select_elements(const JetShape& jet, const FieldArrays& a) {
   return by_kind(jet, [&]<bool round, bool axial>() { return select_as<round, axial>(jet, a); });
 }
 
-/// Candidates, four to a place. Each step is done for all before the next one, so that the long chains of
-/// divisions and roots overlap.
+/// Candidates in groups of four. Each operation is done for all groups before the next one, so that the long
+/// chains of divisions and roots overlap.
 struct Batch {
   static constexpr int kMost = 16;
   using Values = Lanes::Values;  // not initialised to zero
@@ -159,7 +159,7 @@ struct Batch {
 template <bool round, bool axial>
 inline int evaluate_as(const JetShape& given, const FieldArrays& arrays, int selected) {
   JetShape jet = given;
-  jet.round = round;  // which the compiler then knows
+  jet.round = round;  // now known to the compiler
   jet.axial = axial;
   const FieldArrays a = arrays;
   Batch b;
@@ -198,8 +198,8 @@ inline int evaluate_as(const JetShape& given, const FieldArrays& arrays, int sel
       const unsigned finite = bits(overpressure - overpressure <= Lanes());
       if ((loaded & ~finite) != 0) return -1 - e[__builtin_ctz(loaded & ~finite)];
       const Lanes kept = select(none, Lanes(), overpressure);
-      for (int j = 0; j < 4; ++j) a.overpressure[e[j]] = kept[j];  // lanes behind the last repeat it
-      if (loaded == 0xf && count == k) {                           // in their places already
+      for (int j = 0; j < 4; ++j) a.overpressure[e[j]] = kept[j];  // lanes after the last one repeat it
+      if (loaded == 0xf && count == k) {                           // already in place
         count += 4;
         continue;
       }
@@ -212,7 +212,7 @@ inline int evaluate_as(const JetShape& given, const FieldArrays& arrays, int sel
   return count;
 }
 
-/// Sums the force in four partial sums, so that additions overlap.
+/// Sums the force in four partial sums, whose additions overlap.
 inline void force(const Rows& area_vectors, const double* overpressure, const int* elements, int count,
                   double* sum) {
   Lanes sums[4];

@@ -33,7 +33,7 @@ Eigen::Vector3d unit(const char* name, const Eigen::Vector3d& vector) {
     message << "jet " << name << " is (" << vector.transpose() << "), allowed: finite and not zero";
     throw std::invalid_argument(message.str());
   }
-  // A unit vector stays as it was given: the exact visibility reads these very bits.
+  // A unit vector keeps its bits, because the exact visibility uses them.
   if (std::abs(vector.squaredNorm() - 1.0) <= 4.0 * std::numeric_limits<double>::epsilon()) return vector;
   return (vector / largest).normalized();
 }

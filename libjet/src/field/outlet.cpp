@@ -39,7 +39,7 @@ OutletState subsonic_state(const OutletModel& model, const OutletInput& input) {
   const double b = model.area * input.bag_pressure / input.gas_constant;
   const double c = 2.0 * input.mass_flow * input.temperature;
   OutletState state;
-  // The root's form without cancellation: it stays exact as the flow goes to zero.
+  // This form of the root does not cancel as the flow goes to zero.
   state.velocity = c / (b + std::sqrt(b * b + input.mass_flow * c / input.cp));
   state.temperature = input.temperature - state.velocity * state.velocity / (2.0 * input.cp);
   state.pressure = input.bag_pressure;

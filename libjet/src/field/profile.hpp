@@ -53,7 +53,7 @@ template <class T>
 [[gnu::always_inline]] inline T cut(const JetShape& jet, T z) {
   return max(T(jet.cut_core), jet.cut_origin + jet.cut_slope * z);
 }
-/// True where a point is not strictly downstream of the outlet's plane, or is beyond the cut-off.
+/// True if a point is not strictly downstream of the outlet's plane, or is beyond the cut-off.
 template <class T>
 [[gnu::always_inline]] inline auto outside(const JetShape& jet, T z, T radius2) {
   const T cut = profile::cut(jet, z);
@@ -86,7 +86,7 @@ template <class T>
   return {section.decay, -radius2 / (section.width * section.width)};
 }
 
-/// Component of a vector along the flow. For a radial flow `along` has to be divided by the distance from the
+/// Component of a vector along the flow. For radial flow `along` must be divided by the distance from the
 /// virtual origin.
 template <class T>
 struct Part {
@@ -103,8 +103,8 @@ template <class T>
   return {dot(away, vector), dot(away, away)};
 }
 
-/// For T = double, as `sqrt` of lanes is found beside them. The kernels must not compile elementary::exp: the
-/// linker keeps one of its copies for all processors.
+/// For T = double. The kernels must not compile elementary::exp, because the linker would keep one copy of it
+/// for all processors.
 double exp(double x);
 
 /// V . vector / V0

@@ -35,7 +35,7 @@ void check(const Triangles& triangles, int node_count, int n) {
   require_nodes(triangles, node_count);
 }
 
-/// Cuts one element after the other; nodes on an edge are made by the first element that has it.
+/// Cuts one element after the other; the first element at an edge makes its nodes.
 class Cutter {
  public:
   Cutter(int n, int node_count, std::vector<Subdivision::Node>& nodes)
@@ -74,7 +74,8 @@ class Cutter {
     return static_cast<int>(nodes_.size()) - 1;
   }
 
-  /// Node `step` of 1 to n - 1 from a towards b; an edge's nodes run from its lower corner to its higher one.
+  /// Node `step` (1 to n - 1) from a towards b. The nodes of an edge run from its lower corner to its higher
+  /// one.
   int on_edge(int a, int b, int step) {
     const auto [low, high] = std::minmax(a, b);
     const auto [it, fresh] = first_.try_emplace({low, high}, static_cast<int>(nodes_.size()));

@@ -26,7 +26,7 @@ void AskedRays::ask(const Surface& surface, const RaySource& source, std::span<c
   source_ = &source;
   given_.resize(candidates.size());
   std::fill(asked_.begin(), asked_.end(), std::uint8_t{0});
-  const int* rank = mesh_->rank.data();  // which the bytes written cannot change
+  const int* rank = mesh_->rank.data();  // local, so that the bytes written cannot change it
   int* given = given_.data();
   std::uint8_t* asked = asked_.data();
   for (const int element : candidates) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elements that a query asks about, by their places in the mesh's order, and the exact rays to them.
+// The candidates of a query, by their places in the mesh's order, and the exact rays to them.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace jet {
 
-/// One ray to each element that is asked about.
+/// One ray to each candidate.
 class AskedRays {
  public:
   /// `patches`: bytes of a set of elements.
@@ -20,16 +20,16 @@ class AskedRays {
 
   const Surface& surface() const { return surface_; }
   const RaySource& source() const { return *source_; }
-  std::span<const int> places() const { return given_; }         // in the order of those asked about
-  std::span<const std::uint8_t> bits() const { return asked_; }  // by patch: of the elements
-  int patches() const { return patches_; }                       // that have such elements
-  /// Number of the elements; one that is given twice counts once.
+  std::span<const int> places() const { return given_; }         // in the order of the candidates
+  std::span<const std::uint8_t> bits() const { return asked_; }  // by patch: bits of the candidates
+  int patches() const { return patches_; }                       // patches with candidates
+  /// Number of candidates; one that is given twice counts once.
   std::size_t count() const;
 
   /// Ray to an element in the definition's arithmetic, made at its first use.
   const blocking::Ray& ray(int place) const;
 
-  /// Places of the elements outside these patches.
+  /// Places of the candidates outside these patches.
   std::span<const int> list_outside(std::span<const int> patches);
 
  private:

@@ -25,7 +25,7 @@ inline int find_pairs(const RayArrays& rays, int far_places, bool to_targets, co
     near += append_bits(box.overlaps(pyramid.boxes + kBoxFloats * std::ptrdiff_t{block}), kBoxFloats * block,
                         boxes + near);
   }
-  // Boxes beside all rays are dropped, without a branch.
+  // Drops boxes beside all rays, without a branch.
   int *const meeting = blocks.list, met = 0;
   for (int i = 0; i < near; ++i) {
     const float* b = pyramid.boxes + static_cast<unsigned>(boxes[i]);

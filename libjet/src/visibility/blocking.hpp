@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blocking rule (J.7), written once; every route decides with these functions. `Kernel` supplies exact
-// predicates (orientation, slope, on_triangle), by CGAL alone or behind a filter, and knows whether a source
-// is moved.
+// The blocking rule (J.7), shared by all routes. `Kernel` has exact predicates (orientation, slope,
+// on_triangle), by CGAL alone or after a filter, and knows whether a source is moved.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +10,8 @@
 
 namespace jet::blocking {
 
-/// True source position: if the source lies on an element, source + eps axis replaces it. A ray of the fast
-/// route learns this only when a predicate asks.
+/// True if the source lies on an element, so that source + eps axis replaces it. The fast route determines
+/// this only when a predicate needs it.
 enum class Moved : std::uint8_t { no, yes, unknown };
 inline Moved moved_if(bool on_surface) {
   return on_surface ? Moved::yes : Moved::no;
@@ -51,7 +50,7 @@ int orientation_from_source(Kernel& kernel, const Ray& ray, const double* p, con
   return -kernel.slope(ray.axis, p, q, r);
 }
 
-/// Side of an element on which the source is: 1 inner (facing), -1 outer, 0 in its plane.
+/// Side of an element that the source sees: 1 inner (facing), -1 outer, 0 none, as it lies in the plane.
 template <class Kernel>
 int facing(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
   return orientation_from_source(kernel, ray, surface.corner(element, 0), surface.corner(element, 1),
@@ -76,9 +75,8 @@ Passage passage(Kernel& kernel, const Ray& ray, const Surface& surface, int elem
   return {ab, bc, orientation_from_source(kernel, ray, g, c, a)};
 }
 
-/// True if the open segment meets the closed element and does not lie in its plane. The ends are strictly on
-/// opposite sides of the plane, so there is one meeting point. A degenerate element has no sides and never
-/// blocks.
+/// True if the open segment meets the closed element and does not lie in its plane. Then the ends are
+/// strictly on opposite sides of the plane. A degenerate element has no sides and never blocks.
 template <class Kernel>
 bool blocks(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
   const int near = facing(kernel, ray, surface, element);

@@ -7,7 +7,7 @@
 namespace jet {
 namespace {
 
-constexpr double kSquare = 1e-5;  // share of the largest depth; above what the projection takes for certain
+constexpr double kSquare = 1e-5;  // share of the largest depth; larger than the error of the projection
 
 }  // namespace
 
@@ -40,8 +40,8 @@ VisibilityCounters BothWays::query(const Surface& surface, const RaySource& sour
   return sum;
 }
 
-// Rays about square to the axis have no bounds either way. They stay with those downstream, few of which are
-// tested one by one.
+// Rays nearly perpendicular to the axis have no bounds in either direction. They stay with the downstream
+// rays.
 void BothWays::split(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
   for (Part& part : parts_) {
     part.elements.clear();

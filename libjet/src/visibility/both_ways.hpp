@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fast route for rays of all directions: those that run downstream, and, if they are many, those that run
-// upstream by themselves, in a frame turned round. The axis by which a source on the surface is moved stays
-// the same, so the answers are those of one query.
+// The fast route for rays of all directions. Rays that run upstream, if they are many, are handled apart, in
+// a reversed frame. A source on the surface is moved along the same axis in both, so the answers equal those
+// of one query.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace jet {
 
 class BothWays {
  public:
-  /// Allocates for rays downstream. Those upstream allocate at the first query that has many.
+  /// Allocates for downstream rays. The first query with many upstream rays allocates for these.
   void prepare(std::shared_ptr<const OrderedMesh> mesh, std::size_t node_count, bool closed);
   /// See FastRoute.
   void move_to(double displacement_bound);
@@ -23,7 +23,7 @@ class BothWays {
                            std::span<std::uint8_t> lit);
 
  private:
-  /// Candidates of one way, and their places among those of the query.
+  /// Candidates of one direction, and their places among all candidates.
   struct Part {
     std::vector<int> elements;
     std::vector<std::size_t> places;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranges of rays, and of elements between them. The answers of these kernels are certain: each kernel states
-// the error that its margins cover. kUnit is twice the error of a local coordinate.
+// Ranges of rays, and of elements between them. These kernels give certain answers: each states the error
+// that its margins cover. kUnit is twice the error of a local coordinate.
 #pragma once
 
 #include "visibility/project_kernels.hpp"
@@ -8,18 +8,18 @@
 namespace jet::JET_KERNELS {
 
 inline constexpr float kUnit = 6.1e-8f;
-inline constexpr float kFar = 1e30f;       // beyond every coordinate
-inline constexpr float kUpstream = 1e-4f;  // points less far downstream may be upstream
+inline constexpr float kFar = 1e30f;       // larger than every coordinate
+inline constexpr float kUpstream = 1e-4f;  // points with a smaller w may be upstream
 inline constexpr float kSlack = 1e-6f;     // 16 kUnit, for places
-inline constexpr float kTurn = 4e-6f;      // the same for slopes, over the distance from the sources
+inline constexpr float kTurn = 4e-6f;      // the same for slopes, divided by the distance from the sources
 
 struct Range {
   Floats low, high;
 };
 
-/// u / (w + |u|), which orders as the slope u / w does but stays bounded. A point upstream counts as at its
-/// side, +-1. Coordinates, those of targets, err by at most 2.5 kUnit. So this errs by 5 kUnit / (w + |u|)
-/// and its roundings; kTurn covers 10 times that.
+/// u / (w + |u|), which has the order of the slope u / w but is bounded. For a point upstream it is +-1.
+/// Coordinates of targets err by at most 2.5 kUnit. So this errs by 5 kUnit / (w + |u|) and its roundings;
+/// kTurn covers 10 times that.
 struct Turned {
   Floats place, inverse;
 };
@@ -35,10 +35,10 @@ struct Turned {
   return {slope - margin, slope + margin};
 }
 
-/// Range of the places of rays from a line, along that line. A ray is at the place of its target or, if it
-/// comes from the line's end, farther by at most 2 (v - end) / max(w, |u|). The 2 bounds the coordinates:
-/// examined nodes are within 1, and none moves by more than 1 until it is examined again. The larger of two
-/// numbers is at least half their sum. Above kUpstream this errs by 5 kUnit, 0.3 %, which 4.02 covers; v errs
+/// Range of the places of rays from a line, along that line. A ray stays at the v of its target or, if it
+/// comes from the line's end, goes farther by at most 2 (v - end) / max(w, |u|). The 2 bounds the
+/// coordinates: examined nodes are within 1, and none moves by more than 1 until it is examined again. max(w,
+/// |u|) is at least half of w + |u|. Above kUpstream this errs by 5 kUnit, 0.3 %, which 4.02 covers; v errs
 /// by 2.5 kUnit, which kSlack covers.
 [[gnu::always_inline]] inline Range places(Vec3<Floats> g, Floats half_long) {
   const Floats distance = max(g.z, Floats(1e-30f)) + abs(g.x), inverse = 1.0f / distance;
@@ -67,7 +67,7 @@ struct RayRanges {
 struct Bounds {
   Range u{Floats(kFar), Floats(-kFar)}, v = u;
 
-  /// Adds those rays whose targets lie deeper than `least_depth`; returns them.
+  /// Adds the rays whose targets have w above `least_depth`; returns them.
   [[gnu::always_inline]] Floats::Mask take(const Vec3<Floats>& g, Floats::Mask rays, float half_long,
                                            float least_depth) {
     const Floats far(kFar);
@@ -122,7 +122,7 @@ struct Normal {
   return {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x, max(largest(e), largest(f))};
 }
 
-/// Place of the row of an element's first corner. Those of the other corners are 8 and 16 on.
+/// Pointer to the row number of an element's first corner; the other corners follow 8 and 16 later.
 [[gnu::always_inline]] inline const std::uint32_t* rows_of(const std::uint32_t* corner_rows, int patch,
                                                            unsigned lane = 0) {
   return corner_rows + 24 * std::ptrdiff_t{patch} + lane;

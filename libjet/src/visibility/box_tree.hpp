@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes over boxes of elements, for rays that have no frustum. The rule is asked at the leaves alone.
+// Tree of boxes of elements, for rays without a frustum. Only leaves test the blocking rule.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace jet {
 
-/// Binary tree over the elements of one surface at one instant; a node is halved at its middle element along
-/// its longest side. Boxes hold their corners exactly. A box is left out only if the ray certainly misses it,
-/// so no ray loses a blocker.
+/// Binary tree over the elements of one surface at one instant; each node is halved at its middle element
+/// along its longest side. Boxes contain their corners exactly. The search skips a box only if the ray
+/// certainly misses it, so no ray loses a blocker.
 class BoxTree {
  public:
   explicit BoxTree(const Surface& surface);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The close set: patches of a mesh that rays can come to meet while its nodes move by at most a reach and the
-// rays stay within widened bounds. Until then no query examines the other patches.
+// The close set: the patches that rays can meet while no node moves farther than a reach and the rays stay
+// within widened bounds. As long as that holds, queries skip the other patches.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@
 
 namespace jet {
 
-/// Rays and motion that a close set is chosen for.
+/// Rays and motion for which a close set is valid.
 struct CloseRange {
   RaySource source;
   double scale = 0.0;
-  Frustum bounds{};                                      // of the rays
+  Frustum bounds{};                                      // bounds of the rays
   double from = kMotionUnknown, until = kMotionUnknown;  // [m] displacement_bound
 
-  /// False before anything is chosen: everything is close.
+  /// False if no set was chosen: everything is close.
   bool any() const { return until >= from; }
-  /// True if it is for the coordinates of these rays.
+  /// True if it was chosen in the coordinates of these rays.
   bool fits(const RaySource& other, double other_scale) const {
     return any() && other_scale == scale && other.centre == source.centre && other.axis == source.axis &&
            other.long_direction == source.long_direction && other.half_long == source.half_long;
   }
-  /// True if it contains, at this motion, all that rays within the bounds can meet.
+  /// True if it contains, at this displacement bound, all elements that rays within the bounds can meet.
   bool holds(double displacement_bound) const {
     return displacement_bound >= from && displacement_bound <= until;
   }
@@ -58,7 +58,7 @@ class CloseSet {
 
   const CloseRange& range() const { return range_; }
 
-  /// Takes the patches that `find` writes, for rays in the wide bounds and nodes within the reach.
+  /// Stores the patches that `find` returns, for rays in the wide bounds and nodes within the reach.
   template <class Find>
   void choose(const RaySource& source, double scale, const Frustum& wide, double displacement_bound,
               double reach, Find find) {
@@ -70,7 +70,7 @@ class CloseSet {
 
   bool has(std::size_t patch) const { return has_patch_[patch] != 0; }
   std::span<const int> patches() const { return std::span(patches_).first(patch_count_); }
-  /// Where the nodes' rows of four numbers begin, ascending; the last one repeated to a multiple of eight.
+  /// Begins of the nodes' rows of four numbers, ascending; the last one repeated to a multiple of eight.
   std::span<const std::uint32_t> rows() const { return std::span(rows_).first(row_count_); }
 
  private:

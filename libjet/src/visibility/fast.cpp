@@ -9,7 +9,7 @@
 namespace jet {
 namespace {
 
-constexpr std::size_t kFewUpstream = 4;  // each takes as long as two looks at the surface
+constexpr std::size_t kFewUpstream = 4;  // each costs as much as two passes over the surface
 
 }  // namespace
 
@@ -56,7 +56,7 @@ VisibilityCounters FastRoute::answer(std::span<std::uint8_t> lit) {
   return counters;
 }
 
-// Rules out the near elements that face all sources, though their side was not certain.
+// Rules out near elements of uncertain side that do face all sources.
 void FastRoute::classify_near() {
   facts_.shared = true;
   for (const int place : near_.uncertain())
@@ -92,8 +92,8 @@ bool FastRoute::winding_is_one() {
   return winding::number(view_.kernel(), from, surface_, winding::bounding_box(surface_)) == 1;
 }
 
-// Rays for which the argument of fast.hpp does not hold for certain are open; the number of those that may be
-// lit is returned.
+// Opens the rays for which the argument of fast.hpp is not certain. Returns the number of rays that may still
+// be lit.
 std::size_t FastRoute::open_uncertain(bool certain) {
   const auto rays =
       certain && facts_.bounded ? states_.list_alive(near_.sides().inner) : states_.list_alive();
@@ -106,7 +106,7 @@ std::size_t FastRoute::open_uncertain(bool certain) {
       states_.set(place, kOpen);
     }
   }
-  for (const int place : rays_.upstream)  // elements beside the other rays were not looked at
+  for (const int place : rays_.upstream)  // elements beside the other rays were not examined
     if (states_[place] == kLit) states_.set(place, kOpen);
   return states_.opened().size();
 }

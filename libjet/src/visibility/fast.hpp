@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fast route. It counts the crossings of a closed surface along a ray, outward minus inward. From a
-// source with winding number 1 the sum is 1. Let the ray cross its target outward, through the interior. Then
-// anything else on it comes with an inward crossing, before or behind the target: an element that faces away
-// from the source. (Its rim is part of it, so the ray may meet only the rim.) Rays that meet no such element
-// are lit. The other rays are tested against every element that can be on their segment. So are all rays for
-// which a condition of this argument is not certain.
+// The fast route. It counts crossings of a closed surface along a ray, outward minus inward. From a source
+// with winding number 1 the sum is 1. Let the ray cross its target outward, through the interior. Any other
+// crossing then needs an inward one, before or behind the target: an element that faces away from the source.
+// (The ray may meet only the rim of it.) So a ray that meets no such element is lit. Other rays are tested
+// against all elements that can be on their segment, as are rays for which a condition of this argument is
+// not certain.
 //
-// A source on the surface has the winding number of source + eps axis. An element that contains the source
-// shows the side that it shows to that point. For other sources eps changes neither. So both are taken with
-// eps from the start. Whether a source lies on the surface is tested only where an orientation from it is
-// zero.
+// For a source on the surface, winding number and sides are taken at source + eps axis; for other sources eps
+// changes neither. So eps is used from the start, and whether a source lies on the surface is tested only
+// where an orientation from it is zero.
 #pragma once
 
 #include <cstddef>
@@ -28,29 +27,28 @@
 
 namespace jet {
 
-/// One query, begun and answered: finds the near elements, sets the state of each ray, and searches for the
-/// open ones.
+/// One query: finds the near elements, sets the state of each ray, and searches blockers for the open rays.
 class FastRoute {
  public:
   /// Allocates the workspace for a surface, whose mesh several routes may share.
   void prepare(std::shared_ptr<const OrderedMesh> mesh, std::size_t node_count, bool closed, Way way);
 
-  /// Tells that the nodes may have moved; call it before every query of any route. `displacement_bound`: see
-  /// VisibilityQuery.
+  /// Says that the nodes may have moved; must be called before every query of any route.
+  /// `displacement_bound`: see VisibilityQuery.
   void move_to(double displacement_bound) { rays_.move_to(displacement_bound); }
 
-  /// False if more than a few rays do not go this way: `answer` then takes long.
+  /// False if more than a few rays do not run downstream: `answer` then takes long.
   bool begin(const Surface& surface, const RaySource& source, std::span<const int> candidates);
-  /// Once for each `begin`, with its arguments still there.
+  /// Call once after each `begin`, while its arguments are still valid.
   VisibilityCounters answer(std::span<std::uint8_t> lit);
 
  private:
   using enum RayStates::State;
 
-  /// What is known of the sources and the elements of this query.
+  /// Facts about the sources and elements of this query.
   struct Facts {
     bool bounded = false;   // the rays have boxes, and the elements near them are known
-    bool any_away = false;  // without boxes: an element may face away from a source
+    bool any_away = false;  // if not bounded: an element may face away from a source
     bool shared = true;     // all sources have the same winding number
   };
 

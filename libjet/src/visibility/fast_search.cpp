@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search of the fast route: rays that meet elements facing away, and the whole rule for open rays.
+// The search of the fast route: rays that meet elements facing away, then the whole rule for open rays.
 #include <algorithm>
 
 #include "visibility/box_tree.hpp"
@@ -22,8 +22,7 @@ std::size_t FastRoute::open_near_away() {
   return rays.size();
 }
 
-// One ray and one element that faces away and may be on it. If it is, and blocks, the ray need not be
-// searched.
+// Handles an element that faces away and may be on the ray. If it blocks, the ray needs no search.
 void FastRoute::meet_away(int ray, int by, Touch touch) {
   const int e = mesh_->element(by);
   const bool can_block = e != mesh_->element(ray) && !surface_.never_blocks(e);
@@ -36,14 +35,14 @@ void FastRoute::meet_away(int ray, int by, Touch touch) {
   hides ? hide(ray, by) : open(ray, by);
 }
 
-// Open rays against the elements that can be on them.
+// Tests open rays against the elements that can be on them.
 void FastRoute::search() {
   if (!rays_.upstream.empty()) search_upstream();
   const std::span<const int> rays = states_.list_open();
   if (rays.empty()) return;
   near_.for_each_before_target(rays_, rays, [&](int ray, int by, Touch touch) {
     const int e = mesh_->element(by);
-    // Its own element may be among them: the mesh's last one stands at several places.
+    // The ray's own element may be among them, because the mesh's last element has several places.
     if (states_[ray] != kOpen || e == mesh_->element(ray) || surface_.never_blocks(e)) return;
     if (touch == Touch::blocked || blocking::blocks(view_.kernel(), rays_.asked().ray(ray), surface_, e))
       hide(ray, by);
@@ -62,7 +61,7 @@ void FastRoute::open(int ray, int by) {
   hits_.add_opener(ray, by);
 }
 
-// A ray opened in vain costs a search, so openers are not tested exactly.
+// Openers are not tested exactly: a ray opened in vain only costs a search.
 void FastRoute::test_cached_blockers() {
   const auto may_block = [&](const RayHit& hit) {
     return int{states_.alive(hit.ray)} & int{rays_.knows(hit.element)};
@@ -82,7 +81,7 @@ void FastRoute::test_cached_blockers() {
       });
 }
 
-// The few rays without bounds, against all elements.
+// Tests the few rays without bounds against all elements.
 void FastRoute::search_upstream() {
   for (const int place : rays_.upstream) {
     if (states_[place] != kOpen) continue;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Predicates in double with an error bound. Signs that they cannot decide are left to exact arithmetic.
-// Bound: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997.
-// The determinant of differences errs by at most (7 + 56 u) u times its permanent, u = 2^-53. The permanent
-// is at most 6 max|dx| max|dy| max|dz|. The product 4.66e-15 is rounded up for the roundings of the bound
-// itself. kUnderflow covers products below the normal range: coordinates are at most 1e100, so these losses
-// stay below 1e-220.
+// Predicates in double with an error bound. Exact arithmetic decides the other signs. Bound: Shewchuk,
+// Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997. The determinant of
+// differences errs by at most (7 + 56 u) u times its permanent, u = 2^-53. The permanent is at most 6 max|dx|
+// max|dy| max|dz|. The product 4.66e-15 is rounded up for the roundings of the bound itself. kUnderflow
+// covers products below the normal range: coordinates are at most 1e100, so these losses stay below 1e-220.
 #pragma once
 
 #include <algorithm>
@@ -33,14 +32,14 @@ inline int orientation(const double* p, const double* q, const double* r, const 
   const double x = max3(std::abs(qx), std::abs(rx), std::abs(sx));
   const double y = max3(std::abs(qy), std::abs(ry), std::abs(sy));
   const double z = max3(std::abs(qz), std::abs(rz), std::abs(sz));
-  // A difference is zero exactly if the coordinates are equal. So points in a coordinate plane need no exact
+  // A difference is exactly zero if the coordinates are equal, so points in a coordinate plane need no exact
   // call.
   if (x == 0.0 || y == 0.0 || z == 0.0) return 0;
   const double value = qx * (ry * sz - rz * sy) + qy * (rz * sx - rx * sz) + qz * (rx * sy - ry * sx);
   return certain_sign(value, kRelative * x * y * z + kUnderflow);
 }
 
-/// d is exact here and no difference, so the bound of `orientation` is more than enough.
+/// d is exact here, not a difference, so the bound of `orientation` is more than enough.
 inline int slope(const double* d, const double* p, const double* q, const double* r) {
   const double zero[3] = {0.0, 0.0, 0.0};
   const double u[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};

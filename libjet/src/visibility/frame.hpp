@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orthonormal coordinates along a jet: w downstream, or upstream, v along the outlet's long side and u
-// across.
+// Orthonormal coordinates along a jet: w downstream or upstream, v along the outlet's long side, u across.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,7 +9,7 @@
 
 namespace jet {
 
-/// The way that w runs. Sources on the surface are moved downstream in either.
+/// Direction of w. Sources on the surface are moved downstream in both.
 enum class Way { downstream, upstream };
 
 struct Frame {
@@ -19,15 +18,15 @@ struct Frame {
   bool usable = false;                     // the source has a frame
   Way way = Way::downstream;
 
-  /// Sets all of it. The frame is not usable if the long direction has another length than 1, or is along the
-  /// axis. Sources of a line lie off `along` by at most 1e-14 of its length.
+  /// Sets all members. The frame is not usable if the long direction is not a unit vector, or is along the
+  /// axis. The sources of a line are off `along` by at most 1e-14 of its length.
   void build(const RaySource& source) {
     usable = false;
     line = source.half_long > 0.0;
     forward = (source.axis / source.axis.cwiseAbs().maxCoeff()).normalized();
     along = line ? source.long_direction : forward.unitOrthogonal();
     if (std::abs(along.squaredNorm() - 1.0) > 1e-14) return;
-    forward -= forward.dot(along) * along;  // must not cancel, to be square to a few roundings
+    forward -= forward.dot(along) * along;  // repeated, so that it is perpendicular to a few roundings
     if (forward.squaredNorm() < 0.01) return;
     forward.normalize();
     if (way == Way::upstream) forward = -forward;
@@ -35,8 +34,8 @@ struct Frame {
     usable = true;
   }
 
-  /// True if no ray is at w <= 0: sources on the surface are moved above, and w is a coordinate of the
-  /// points, the same for all sources, so its sign is exact.
+  /// True if no ray reaches w <= 0. Then sources on the surface are moved upwards, and w is one coordinate of
+  /// the points, equal for all sources, so that its sign is exact.
   bool has_floor() const {
     if (way == Way::upstream) return false;
     if ((forward.array() == 0.0).count() != 2) return false;

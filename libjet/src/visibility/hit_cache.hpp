@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cached blockers: what blocked a ray at the last query often blocks it again, and what opened it opens it
-// again.
+// Cached blockers: an element that blocked a ray at the last query often blocks it again, and one that opened
+// it opens it again.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace jet {
 
-/// A ray and an element that is, or may be, on it, by their places in the mesh's order.
+/// A ray and an element that is or may be on it, by their places in the mesh's order.
 struct RayHit {
   int ray, element;
 };
 
-/// Rays with the element that blocked them, or that faced away and opened them, at this query and at the
-/// last.
+/// Rays with the element that blocked them, or that faced away and opened them, at this query and the last
+/// one.
 class HitCache {
  public:
   void reserve(std::size_t patches) {
@@ -31,9 +31,8 @@ class HitCache {
   void add_blocker(int ray, int by) { blockers_.push_back({ray, by}); }
   void add_opener(int ray, int by) { openers_.push_back({ray, by}); }
 
-  /// Begins a query: tests the hits of the last one for which the masks, 0 or 1, say so. Calls blocked(ray,
-  /// by, is_certain) for blockers that may block again, then opened(ray, by) for openers that may be on the
-  /// ray.
+  /// Begins a query: tests those hits of the last one for which the masks are 1. Calls blocked(ray, by,
+  /// is_certain) for blockers that may block again, then opened(ray, by) for openers that may be on the ray.
   template <class BlockerMask, class OpenerMask, class Blocked, class Opened>
   void retest(const RayBundle& rays, const OrderedMesh& mesh, BlockerMask is_blocker, OpenerMask is_opener,
               Blocked blocked, Opened opened) {

@@ -31,7 +31,7 @@ std::vector<Link> shared_edges(std::span<const Triangle> triangles) {
   return links;
 }
 
-// Links from a patch side by side, one for each neighbour.
+// Sorts the links by patch and leaves one for each neighbour.
 void unite(std::vector<Link>& links) {
   std::sort(links.begin(), links.end(),
             [](const Link& x, const Link& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
@@ -46,8 +46,8 @@ void unite(std::vector<Link>& links) {
   links.resize(count);
 }
 
-/// Each patch with the free neighbour that it shares most edges with, or alone: the number of its pair. Their
-/// count.
+/// Pairs each patch with the free neighbour that shares most edges with it, or leaves it alone. Sets the
+/// number of its pair; returns the count of pairs.
 int pair_up(const std::vector<Link>& links, std::vector<int>& pair_of) {
   int pairs = 0;
   std::size_t i = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Order of a mesh's elements in which successive elements are close together at every scale. Blocks of eight,
-// and blocks of these, are compact patches, so the boxes around them are small.
+// and blocks of eight such blocks, are compact patches with small boxes.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@ namespace jet {
 
 using Triangle = std::array<int, 3>;
 
-/// Elements in such an order, by repeated pairing of neighbours across edges.
+/// Finds such an order by repeated pairing of neighbours across edges.
 std::vector<int> mesh_order(std::span<const Triangle> triangles);
 
 /// Connectivity in that order, for the search of elements by their nodes.
 struct OrderedMesh {
   std::vector<int> elements;     // in order; the last one repeated to a multiple of eight
   std::vector<int> rank;         // place of each element in the order
-  int patches = 0;               // of eight elements
+  int patches = 0;               // patches of eight elements
   std::vector<int> patch_nodes;  // nodes of each patch, the last one repeated to a multiple of four
   std::vector<int> patch_begin;  // start of each patch in patch_nodes, and the end
-  // Corners of each patch: eight first, eight second, eight third ones. The number is where the row of the
-  // node begins, 4 times the node.
+  // Corners of each patch: eight first, eight second, eight third corners, as the begin of the node's row, 4
+  // times the node.
   std::vector<std::uint32_t> corner_rows;
 
   explicit OrderedMesh(std::span<const Triangle> triangles);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elements near the rays of a query, in patches of eight: the sides that they show to the sources, and which
-// of them rays can meet. Each answer is certain, or says that it is not.
+// of them rays can meet. Each answer is certain or is marked as uncertain.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ namespace jet {
 
 /// Sides that the elements near the rays show to the sources, as bits by patch of the mesh.
 struct ShownSides {
-  std::vector<std::uint8_t> inner;      // all these sources see the inner side, and the own rays pierce it
+  std::vector<std::uint8_t> inner;      // all these sources see the inner side, and the element's own rays
+                                        // pierce it
   std::vector<std::uint8_t> not_inner;  // near, and may show its outer side to such sources
 
   static bool has(const std::vector<std::uint8_t>& set, int place) {
@@ -35,14 +36,14 @@ class NearElements {
   void reserve(const OrderedMesh& mesh);
 
   /// Finds the patches that the rays or the winding ray can meet, the sides of their elements, and the rays'
-  /// targets. Places are those in the mesh's order.
+  /// targets. Places are in the mesh's order.
   void find(RayBundle& rays);
 
   const ShownSides& sides() const { return sides_; }
   ShownSides& sides() { return sides_; }
 
-  /// Elements near the rays that may show either side; that may lie between two sources; that may touch the
-  /// winding ray. Last, the elements asked about whose rays are not certainly downstream.
+  /// Elements near the rays that may show either side; may lie between two sources; may touch the winding
+  /// ray. The last function lists the candidates whose rays are not certainly downstream.
   std::span<const int> uncertain() const { return first(uncertain_, found_.uncertain); }
   std::span<const int> between() const { return first(between_, found_.between); }
   std::span<const int> on_winding_ray() const { return first(on_winding_ray_, found_.on_winding_ray); }
@@ -52,7 +53,7 @@ class NearElements {
   std::span<const int> patches() const { return first(patches_, found_.near); }
 
   /// Calls visit(ray, place, touch) for the listed rays and the elements that their lines may touch. Only
-  /// near elements count that may show their outer side.
+  /// near elements that may show their outer side are tested.
   template <class Visit>
   void for_each_touching(const RayBundle& rays, std::span<const int> list, Visit visit) {
     const int count =
@@ -61,7 +62,7 @@ class NearElements {
     pairs_.for_each(rays, list, false, outer_boxes_, first(outer_patches_, count), visit);
   }
 
-  /// The same for all near elements, other than its own, that a ray may touch before its target.
+  /// The same for all near elements, except the ray's own, that it may touch before its target.
   template <class Visit>
   void for_each_before_target(const RayBundle& rays, std::span<const int> list, Visit visit) {
     pairs_.for_each(rays, list, true, boxes_, patches(), visit);
@@ -72,12 +73,12 @@ class NearElements {
     return std::span(list).first(static_cast<std::size_t>(count));
   }
   const OrderedMesh* mesh_ = nullptr;
-  /// Near patches; and those of them that have elements not certain to show their inner side.
+  /// Near patches; and near patches with elements whose inner side is not certain.
   std::vector<int> patches_, outer_patches_;
   ShownSides sides_;
   std::vector<int> uncertain_, between_, on_winding_ray_, upstream_;
   PatchesFound found_{};
-  Pyramid boxes_, outer_boxes_;  // of the elements of patches_ and of outer_patches_
+  Pyramid boxes_, outer_boxes_;  // boxes of the elements of patches_ and of outer_patches_
   RayPairs pairs_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Projects nodes and rays to local coordinates along the jet. These are at most 1; as floats they err by
+// Projects nodes and rays to local coordinates along the jet. These are at most 1, so as floats they err by
 // 2^-25.
 #pragma once
 
@@ -31,13 +31,13 @@ struct NodeFlags {
   const Lanes all[] = {x.x, x.y, x.z};
   for (const Lanes y : all) {
     const auto below = reinterpret_cast<Lanes::Values>(reinterpret_cast<Lanes::Mask>(abs(y).v) - 1);
-    flags.smallest = below < flags.smallest ? below : flags.smallest;  // 0 became NaN and is left out
+    flags.smallest = below < flags.smallest ? below : flags.smallest;  // 0 became NaN and is skipped
   }
   return to_local(a, x);
 }
 
 [[gnu::always_inline]] inline Floats joined(Lanes low, Lanes high) {
-#if defined(__AVX__)  // gcc copies what it converts
+#if defined(__AVX__)  // gcc adds a copy to the conversion
   const auto four = [](Lanes x) { return _mm256_cvtpd_ps(reinterpret_cast<__m256d>(x.v)); };
   return Floats(reinterpret_cast<Floats::Values>(_mm256_set_m128(four(high), four(low))));
 #else
@@ -66,7 +66,7 @@ template <class To>
                                    odd(xy_2367, z_2367)};
   for (int i = 0; i < 4; ++i) {
     *reinterpret_cast<UnalignedRow*>(to(i)) = __builtin_shufflevector(pairs[i], pairs[i], 0, 1, 2, 3);
-#if defined(__AVX__)  // gcc takes two instructions
+#if defined(__AVX__)  // gcc uses two instructions
     _mm_storeu_ps(to(i + 4), _mm256_extractf128_ps(reinterpret_cast<__m256>(pairs[i]), 1));
 #else
     *reinterpret_cast<UnalignedRow*>(to(i + 4)) = __builtin_shufflevector(pairs[i], pairs[i], 4, 5, 6, 7);
@@ -139,7 +139,7 @@ inline ProjectFlags project_nodes(const ProjectArrays& arrays) {
       });
 }
 
-/// Computes codes only, and of these only the sides.
+/// Computes only the sides in the codes.
 inline ProjectFlags code_nodes(const ProjectArrays& arrays) {
   const ProjectArrays a = arrays;
   return project_each(

@@ -9,8 +9,8 @@
 namespace jet {
 namespace {
 
-// Coordinates over extent. Sources and targets lie beside their exact places by 7e-16 of it at most: a
-// quarter of 2^-25, which the margins hold.
+// Largest ratio of coordinates to extent. Sources and targets are off their exact places by at most 7e-16 of
+// the coordinates: a quarter of 2^-25 of the extent, which the margins cover.
 constexpr double kLargestRatio = 1e7;
 constexpr double kMargin = 1e-6;  // 33 times the error of local coordinates
 constexpr int kFloor = 0x80;      // bit of a code: not above the sources' own plane
@@ -24,7 +24,7 @@ double extent(const Surface& surface, const Eigen::Vector3d& centre) {
   return std::sqrt(largest);
 }
 
-// The scale holds the nodes. A small extent does fit if the scale is of these very nodes and sources.
+// True if the scale fits the nodes. A small extent fits if the scale was chosen for these nodes and sources.
 bool fits(const ProjectFlags& flags, bool rescaled) {
   return !flags.outside && !flags.tiny && (rescaled || !flags.small);
 }
@@ -53,8 +53,8 @@ void Projection::begin(const Surface& surface, const RaySource& source, std::spa
   frame_.build(source);
 }
 
-// A scale that keeps the nodes and the sources within 1/2, with room to move. The magnitude of a refused node
-// is not known, so this is where all of them are looked at.
+// A scale that keeps the nodes and the sources within 1/2, with room to move. Here all nodes are read, also
+// those whose range is not yet checked.
 void Projection::rescale() {
   check_nodes(surface_);
   const double largest = std::max({extent(surface_, source_->centre), source_->half_long, 1e-150});
@@ -105,19 +105,21 @@ bool Projection::project_rows(const Frustum& bounds, std::span<const std::uint32
 }
 
 bool Projection::fits_range() {
-  size = source_->centre.cwiseAbs().maxCoeff() + 1.8 / scale_;  // root of 3, and the frame's roundings
+  size = source_->centre.cwiseAbs().maxCoeff() + 1.8 / scale_;  // sqrt(3), and the frame's roundings
   points_.error = static_cast<float>(2.5e-13 * (1.0 + scale_ * size));
   return size <= kLargest && size * scale_ <= kLargestRatio;
 }
 
-// Half-spaces that hold all rays downstream, beyond their targets, too, and what is within `reach` of them.
+// Sets half-spaces that contain all downstream rays, extended beyond their targets, and all points within
+// `reach` of them.
 void Projection::set_sides(const Frustum& bounds, double reach) {
   set_side(arrays_, 0, bounds.low_u, 0.0, reach);
   set_side(arrays_, 1, bounds.high_u, 0.0, reach);
   set_side(arrays_, 2, frame_.line ? 0.0 : bounds.low_v, frame_.line ? -bounds.low_v : 0.0, reach);
   set_side(arrays_, 3, frame_.line ? 0.0 : bounds.high_v, frame_.line ? bounds.high_v : 0.0, reach);
   arrays_.bound[4] = static_cast<float>(kMargin + std::max(reach, 0.0));
-  // What is not above the sources' own plane meets no ray: a source on it starts above, by eps.
+  // Points that are not above the sources' own plane meet no ray: a source on the surface starts above it, by
+  // eps.
   outside_ = kSides | (frame_.has_floor() ? kFloor : 0);
 }
 
@@ -130,7 +132,7 @@ int find_patches(const OrderedMesh& mesh, const LocalPoints& points, int all_out
     for (const int *node = nodes + begin[patch], *end = nodes + begin[patch + 1]; node < end && outside != 0;
          node += 4)
       outside &= codes[node[0]] & codes[node[1]] & codes[node[2]] & codes[node[3]];
-    patches[count] = patch;  // kept if the next does not overwrite it: no branch to predict
+    patches[count] = patch;  // without a branch: overwritten by the next patch if this one is outside
     count += outside == 0;
   }
   return count;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface in the frame of a jet: nodes as floats, with a code each that says outside which half-spaces it
-// lies.
+// A surface in the frame of a jet: nodes as floats, each with a code of the half-spaces that it is outside
+// of.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace jet {
 
-/// Steeper bounds exclude too little to be worth their margin.
+/// Steeper bounds exclude too little to be worth while.
 inline constexpr float kSteepest = 1e3f;
 
-/// What is projected, as kernels take it.
+/// Projected points, in the form that kernels take.
 struct LocalPoints {
   std::vector<float> nodes, targets;  // rows of nodes, rows of elements
-  std::vector<std::int32_t> codes;    // of nodes, if all were projected
-  float half_long = 0.0f;             // of the line of sources, above 0 for every line; 0: a point
+  std::vector<std::int32_t> codes;    // codes of nodes, if all were projected
+  float half_long = 0.0f;             // half length of the line of sources; 0: a point
   float error = 0.0f;                 // absolute part of the error bound of an orientation
 
   RayArrays arrays(std::span<const int> list) const {
@@ -30,11 +30,11 @@ struct LocalPoints {
   }
 };
 
-/// Writes the patches, ascending, whose nodes are not all outside one of the half-spaces of `outside`, bits
-/// of a code. Returns their number.
+/// Lists the patches, ascending, that reach into all half-spaces of `outside` (bits of a code). Returns their
+/// number.
 int find_patches(const OrderedMesh& mesh, const LocalPoints& points, int outside, int* patches);
 
-/// The nodes that one query needs, in the frame of its sources, and the targets of its rays.
+/// The nodes and targets of one query, in the frame of its sources.
 class Projection {
  public:
   /// `elements`: room for their targets.
@@ -44,17 +44,18 @@ class Projection {
 
   /// Chooses a scale that holds the nodes and sources. Throws std::invalid_argument for a node out of range.
   void rescale();
-  /// Takes the scale of the last query, or the new one. Call one of the functions below after it.
+  /// Uses the scale of the last query, or the new one. One of the functions below must be called next.
   void set_arrays();
   /// Bounds of the rays to the candidates.
   Frustum bounds_of_candidates() const;
-  /// Each takes half-spaces that hold all rays in the bounds, and what is within `reach` [m] of them. The
-  /// first makes the codes of all nodes, the second projects all nodes, the third those of `rows`. False if
-  /// the scale does not fit them, or one is to be refused. `rescaled`: the scale was chosen for these nodes.
+  /// The half-spaces of the codes contain all rays in the bounds and all points within `reach` [m] of them.
+  /// The first function makes the codes of all nodes, the second projects all nodes, the third only those of
+  /// `rows`. False if the scale does not fit, or a coordinate is out of range. `rescaled`: the scale was
+  /// chosen for these nodes.
   bool code_nodes(const Frustum& bounds, double reach, bool rescaled);
   bool project_nodes(const Frustum& bounds, bool rescaled);
   bool project_rows(const Frustum& bounds, std::span<const std::uint32_t> rows);
-  /// Sets `size`. True if the coordinates are in the range that double arithmetic serves.
+  /// Sets `size`. True if the coordinates are in the range of the filters in double arithmetic.
   bool fits_range();
 
   const Frame& frame() const { return frame_; }

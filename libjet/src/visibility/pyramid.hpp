@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pyramid of boxes in a plane: one box above eight, in the order given. Neighbours in the mesh stand beside
-// each other in its order, so the upper boxes are small.
+// Pyramid of boxes in a plane: one box above eight, in the order given. The mesh's order keeps neighbours
+// together, so the upper boxes are small.
 #pragma once
 
 #include <cmath>
@@ -12,18 +12,18 @@ namespace jet {
 
 class Pyramid {
  public:
-  /// Reserves room for so many blocks of eight boxes and for the levels above.
+  /// Reserves room for this number of blocks of eight boxes and for the levels above.
   void reserve(std::size_t blocks) {
     std::size_t all = blocks;
     for (std::size_t n = blocks; n > 1; n = (n + 7) / 8) all += (n + 7) / 8;
     boxes_.resize(kBoxFloats * all);
   }
 
-  /// Boxes of the lowest level, to be written by the caller, kBoxFloats for eight: low p, high p, low q, high
-  /// q, and where they begin downstream.
+  /// Boxes of the lowest level, written by the caller, kBoxFloats for eight: low p, high p, low q, high q,
+  /// lowest depth.
   float* boxes() { return boxes_.data(); }
 
-  /// Builds the levels above so many blocks. Precondition: all their boxes are written.
+  /// Builds the levels above this number of blocks. Precondition: all their boxes are written.
   void build(int blocks) {
     const auto merge = kernel_table().merge;
     view_ = {boxes_.data(), 1, {}, {blocks}};

@@ -15,7 +15,7 @@ void RayPairs::reserve(const OrderedMesh& mesh) {
   for (auto* bytes : {&blocked_, &pierced_, &apart_, &missed_}) bytes->resize(pairs / 8);
 }
 
-// Of the first rays of a list, eight at most: their number.
+// Adds the pairs of the first rays of a list, at most eight. Returns the number of rays.
 std::size_t RayPairs::add(const RayArrays& rays, bool to_targets, const PyramidView& boxes,
                           const int* patches) {
   int count = std::min(8, rays.count);

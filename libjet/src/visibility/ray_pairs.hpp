@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of a ray and an element whose boxes meet, and what is certain of each. Many pairs are tested
+// Pairs of a ray and an element whose boxes meet, with certain results where possible. Many pairs are tested
 // together.
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace jet {
 
-/// What is certain of a ray and an element that it may touch: nothing; that the segment crosses the interior;
-/// or that only its line touches, beyond one end of the segment.
+/// Result for a ray and an element that it may touch: not certain; the segment certainly crosses the
+/// interior; or only its line touches, beyond one end of the segment.
 enum class Touch { possible, blocked, beyond };
 
 /// Finds and tests the pairs of rays and elements of a mesh. Places are those in the mesh's order.
@@ -27,7 +27,7 @@ class RayPairs {
 
   /// Calls visit(ray, place, touch) for the listed rays and the elements of `patches` that their lines may
   /// touch. If `to_targets`, only for elements that a ray may touch before its target, other than its own.
-  /// `boxes` are those of the elements.
+  /// `boxes` are the boxes of the elements.
   template <class Visit>
   void for_each(const RayBundle& rays, std::span<const int> list, bool to_targets, Pyramid& boxes,
                 std::span<const int> patches, Visit visit) {
@@ -57,9 +57,9 @@ class RayPairs {
   }
 
  private:
-  /// Eight successive rays of a list may cross different parts of the surface. Their common box then meets
-  /// many blocks that no single ray meets. So a list is cut where its elements are far apart. The limit is
-  /// measured. At most so many pairs are tested together.
+  /// Eight successive rays may cross different parts of the surface; their common box then meets many blocks
+  /// that no single ray meets. So a list is split where its elements are farther apart than kFarPlaces, which
+  /// was found by measurement. At most kManyPairs pairs are tested together.
   static constexpr int kFarPlaces = 64, kManyPairs = 512;
 
   std::size_t add(const RayArrays& rays, bool to_targets, const PyramidView& boxes, const int* patches);
@@ -67,7 +67,7 @@ class RayPairs {
 
   const OrderedMesh* mesh_ = nullptr;
   std::vector<int> first_, second_;  // workspace of the search
-  // Room for all pairs, few of which are ever used; and what is certain of them, see PairArrays.
+  // Room for all pairs, although few are used, and their results, see PairArrays.
   std::unique_ptr<int[]> rays_, elements_;
   int count_ = 0;
   std::vector<std::uint8_t> blocked_, pierced_, apart_, missed_;

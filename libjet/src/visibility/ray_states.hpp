@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the fast route has found of each ray so far.
+// State of each ray in the fast route.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace jet {
 
-/// States of the rays to the elements asked about, by the elements' places in the mesh's order. A ray is
-/// alive while nothing was found against it.
+/// States of the rays to the candidates, by the candidates' places in the mesh's order. A ray is alive until
+/// an element is found that may block it.
 class RayStates {
  public:
   enum State : std::uint8_t { kLit = 0, kHidden = 1, kFacingAway = 2, kOpen = 4 };  // see count()
@@ -28,7 +28,7 @@ class RayStates {
     listed_.resize(8 * patches + 8);
   }
 
-  /// All rays are lit; those `asked` about, bits by patch, are alive.
+  /// Makes all rays lit; rays in `asked` (bits by patch) are alive.
   void reset(std::span<const std::uint8_t> asked) {
     std::fill(states_.begin(), states_.end(), kLit);
     std::copy(asked.begin(), asked.end(), alive_.begin());
@@ -38,24 +38,24 @@ class RayStates {
   State operator[](int place) const { return states_[static_cast<std::size_t>(place)]; }
   bool alive(int place) const { return (alive_[static_cast<std::size_t>(place / 8)] >> place % 8 & 1) != 0; }
 
-  /// Finds something against a ray.
+  /// Sets the state of a ray that is no longer alive.
   void set(int place, State state) {
     settle(place, state);
     std::uint8_t& bits = alive_[static_cast<std::size_t>(place / 8)];
     bits = static_cast<std::uint8_t>(bits & ~(1 << place % 8));
     if (state == kOpen) open_.push_back(place);
   }
-  /// Says what an open ray is.
+  /// Sets the final state of an open ray.
   void settle(int place, State state) { states_[static_cast<std::size_t>(place)] = state; }
 
-  /// Places of the rays that are alive, ascending; of those outside the set `without`, bits by patch. The
+  /// Places of the rays that are alive, ascending; without those in the set `without` (bits by patch). The
   /// lists share one workspace.
   std::span<const int> list_alive() { return list(alive_); }
   std::span<const int> list_alive(std::span<const std::uint8_t> without) {
     and_not(alive_, without, chosen_);
     return list(chosen_);
   }
-  /// Places of the rays that are open, ascending: neighbours are together.
+  /// Places of the open rays, ascending, so that neighbours are together.
   std::span<const int> list_open() {
     std::fill(chosen_.begin(), chosen_.end(), std::uint8_t{0});
     for (const int place : open_) {
@@ -82,10 +82,10 @@ class RayStates {
   std::vector<int> open_, listed_;
 };
 
-// Bytes of states are told apart by their bits, eight at a time.
+// Counts the states by their bits, eight bytes at a time.
 inline VisibilityCounters RayStates::count(std::span<const int> places, std::span<std::uint8_t> lit) const {
   VisibilityCounters counters;
-  const State* states = states_.data();  // which the bytes written cannot change
+  const State* states = states_.data();  // local, so that the bytes written cannot change it
   std::uint8_t* to = lit.data();
   for (const int place : places) *to++ = states[place];
   const auto take = [&](std::uint8_t* bytes, std::size_t count) {

@@ -10,12 +10,12 @@
 namespace jet {
 namespace {
 
-constexpr std::size_t kMostUpstream = 64;  // more of them are quicker in a tree
-constexpr double kStepsAhead = 6.0;        // motion that the choice of close patches is made for
-constexpr float kCloseShare = 0.05f;       // of the rays' range, by which bounds are widened
+constexpr std::size_t kMostUpstream = 64;  // for more rays a tree is faster
+constexpr double kStepsAhead = 6.0;        // close patches are chosen for this many steps of motion
+constexpr float kCloseShare = 0.05f;       // bounds are widened by this share of their range
 
-// A general slope within the bounds: bags are symmetric about the axis. Local coordinates of the end are
-// above 1.
+// The slope is general, not symmetric, because bags are symmetric about the axis. Local coordinates of the
+// end are above 1.
 WindingRay winding_ray(const Projection& projection, const AskedRays& asked, const Frustum& bounds) {
   WindingRay winding;
   const Frame& frame = projection.frame();
@@ -89,13 +89,13 @@ bool RayBundle::project_fresh() {
 bool RayBundle::accept(const PatchesFound& found, std::span<const int> patches,
                        std::span<const int> not_downstream) {
   upstream.assign(not_downstream.begin(), not_downstream.end());
-  if (!fresh_) {  // the bounds are not made of these rays
+  if (!fresh_) {  // the bounds are not those of these rays
     const auto above = [](float x, float low) { return x >= low || low < -kSteepest; };
     const Frustum &b = bounds_, &r = found.bounds;
     if (found.asked < asked_.patches() || !above(r.low_u, b.low_u) || !above(-r.high_u, -b.high_u) ||
         !above(r.low_v, b.low_v) || !above(-r.high_v, -b.high_v))
       return false;
-  } else if (found.asked < asked_.patches()) {  // they hold no ray of these patches
+  } else if (found.asked < asked_.patches()) {  // they contain no ray of some patches
     const std::span<const int> more = asked_.list_outside(patches);
     upstream.insert(upstream.end(), more.begin(), more.end());
   }
@@ -111,8 +111,8 @@ void RayBundle::do_without() {
       std::max(check_nodes(asked_.surface()), asked_.source().centre.cwiseAbs().maxCoeff() + reach);
 }
 
-// The frustum of the rays' targets, and nodes: all, or where the motion is known those close to the rays.
-// False where the scale does not fit them any more, or one of them is to be refused.
+// Computes the frustum of the rays' targets and projects the nodes: all, or, if the motion is known, those
+// close to the rays. False if the scale does not fit any more, or a coordinate is out of range.
 bool RayBundle::project_targets(bool rescaled) {
   close_.forget();
   bounds_ = projection_.bounds_of_candidates();
@@ -122,15 +122,15 @@ bool RayBundle::project_targets(bool rescaled) {
   return projection_.project_nodes(bounds_, rescaled);
 }
 
-// Patches that can come between rays in these bounds while nodes move by a reach.
+// Chooses the patches that rays in these bounds can meet while nodes move by a reach.
 bool RayBundle::choose_close(const Frustum& wide, bool rescaled) {
   const double reach = std::min(kStepsAhead * motion_.step,
-                                1.0 / projection_.scale());  // no coordinate gets above 2, see places()
+                                1.0 / projection_.scale());  // no coordinate exceeds 2, see places()
   if (!projection_.code_nodes(wide, reach, rescaled)) return false;
   close_.choose(asked_.source(), projection_.scale(), wide, motion_.bound, reach,
                 [&](const OrderedMesh& mesh, int* patches) {
                   return jet::find_patches(mesh, projection_.points(), kSides, patches);
-                });  // no floor: they may rise
+                });  // no floor: nodes may rise above it
   return true;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rays of one query in the jet's frame, by the places of their elements in the mesh's order. Also the
-// nodes that the rays can come near to. The bounds of the rays are slopes against the axis (point source), or
-// slope across and place along the line (line source). Their margins are far above rounding. A margin costs
-// work at worst; it never changes an answer.
+// nodes near the rays. The rays' bounds are slopes against the axis (point source), or slope across and place
+// along the line (line source). Their margins are far above rounding; they may cost work but never change an
+// answer.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace jet {
 
-/// Ray from the source of a ray, moved, to a point outside the surface, within the rays' bounds.
+/// Ray from the moved source of a ray to a point outside the surface, within the rays' bounds.
 struct WindingRay {
   blocking::Ray ray{};
   double u = 0.0, v = 0.0;  // its slopes, or slope across and place along the line
@@ -30,20 +30,20 @@ class RayBundle {
  public:
   void reserve(const OrderedMesh& mesh, std::size_t node_count, Way way);
 
-  /// Tells that the nodes may have moved. `displacement_bound`: see VisibilityQuery.
+  /// Says that the nodes may have moved. `displacement_bound`: see VisibilityQuery.
   void move_to(double displacement_bound);
-  /// Makes one ray for each element that is asked about.
+  /// Makes one ray for each candidate.
   void ask(const Surface& surface, const RaySource& source, std::span<const int> candidates);
 
-  /// Project the nodes that rays in a frustum can come near to. The frustum is that for which the close set
-  /// was chosen, or that of the rays' targets. False if it is not known, or if no frame contains the nodes.
-  /// Throw std::invalid_argument for coordinates out of range where they are read, see VisibilityQuery.
+  /// Project the nodes near a frustum: the one for which the close set was chosen, or the one of the rays'
+  /// targets. False if it is not known, or if no frame contains the nodes. Throw std::invalid_argument if a
+  /// coordinate that they read is out of range, see VisibilityQuery.
   bool project_chosen();
   bool project_fresh();
-  /// True if the elements examined include all that the rays can meet. Rays that are now in `upstream` are
-  /// exempt, if they are not too many.
+  /// True if the examined elements include all that the rays can meet. Rays now in `upstream` are exempt,
+  /// unless there are too many.
   bool accept(const PatchesFound& found, std::span<const int> patches, std::span<const int> not_downstream);
-  /// Gives up bounds of the rays: only the `size` of the projection is known. Throws as project().
+  /// Works without bounds of the rays: only the `size` of the projection is known. Throws as project().
   void do_without();
 
   const AskedRays& asked() const { return asked_; }
@@ -51,20 +51,19 @@ class RayBundle {
   const Projection& projection() const { return projection_; }
   Projection& projection() { return projection_; }
 
-  /// True if the element's nodes are projected. No ray can meet other elements.
+  /// True if the element's nodes are projected. Rays cannot meet other elements.
   bool knows(int place) const {
     return !close_.range().any() || close_.has(static_cast<std::size_t>(place / 8));
   }
 
-  /// Patches of the mesh, ascending, outside which rays and the winding ray meet nothing. `out` has room for
-  /// all.
+  /// Lists the patches, ascending, that rays or the winding ray can meet. `out` has room for all.
   std::span<const int> find_patches(const OrderedMesh& mesh, std::span<int> out) const;
 
-  /// Places whose rays have no length or do not go the frame's way; they are not in the bounds.
+  /// Places whose rays have no length or do not run downstream; they are not in the bounds.
   std::vector<int> upstream;
 
  private:
-  /// Of the nodes [m]: the displacement bound, and its growth since the last query.
+  /// Motion of the nodes [m]: the displacement bound, and its growth since the last query.
   struct Motion {
     double bound = kMotionUnknown, step = kMotionUnknown;
   };

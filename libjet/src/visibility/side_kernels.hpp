@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements near the rays: their boxes and the sides that they show. Certain, as in box_kernels.hpp.
+// Elements near the rays: their boxes and the sides that they show. Answers are certain, as in
+// box_kernels.hpp.
 #pragma once
 
 #include "visibility/box_kernels.hpp"
@@ -11,9 +12,9 @@ struct Sides {
 };
 
 /// Sides of the elements' planes on which the sources are. A ray from (0, y, 0) keeps its v, unless y is the
-/// line's end and v is beyond. So the sources from which an element can be touched lie within the element's
-/// own range of v, clamped to the line. The height that the orientation takes there errs by at most kUnit d
-/// (24 + 96 d). s.error covers second orders, and makes sure that the ray pierces its own target.
+/// line's end and v is beyond. So the sources whose rays can touch an element lie within its range of v,
+/// clamped to the line. The height in the orientation errs by at most kUnit d (24 + 96 d). s.error covers
+/// second-order errors, and ensures that the ray pierces its own target.
 [[gnu::always_inline]] inline Sides sides(const PatchArrays& s, const Corners& t) {
   const auto& [a, b, c] = t;
   const Normal n = normal_of(a, b, c);
@@ -27,7 +28,7 @@ struct Sides {
   return {middle - change > error, middle + change < -error};
 }
 
-/// True if the element is certainly not between two sources: it is beside their line, or all of them are on
+/// True if the element is certainly not between two sources: it is beside their line, or all sources are on
 /// one side of its plane.
 [[gnu::always_inline]] inline Floats::Mask beside_sources(const PatchArrays& s, const Corners& t) {
   const auto& [a, b, c] = t;
@@ -85,7 +86,7 @@ inline PatchesFound classify_patches(const PatchArrays& given) {
   const WindingRay winding_ray(s);
   PatchesFound found{};
   Bounds bounds;
-  const int short_patch = s.elements / 8;  // the mesh's last, if it has less than eight elements
+  const int short_patch = s.elements / 8;  // the mesh's last patch, if it has less than eight elements
   const unsigned there_last = (1u << s.elements % 8) - 1u;
   for (int k = 0; k < s.count; ++k) {
     const int patch = s.patches[k];

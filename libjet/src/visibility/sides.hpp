@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry of the fast route that is certain in double arithmetic. Each function either proves its answer
-// with a stated bound of its roundings, or compares coordinates, which rounds nothing.
+// Geometry of the fast route that is certain in double arithmetic. Each function has a stated bound of its
+// roundings, or only compares coordinates, without rounding.
 #pragma once
 
 #include <Eigen/Core>
@@ -69,10 +69,10 @@ struct Box {
     }
     return apart;
   }
-  /// The same, or the segment's line passes beside the box by more than rounding can be. With m from the
-  /// box's middle to the segment's, d half the segment and e half the box: |(m x d)_i| > e_j |d_k| + e_k
+  /// The same; also true if the segment's line passes beside the box by more than the rounding. With m from
+  /// the box's middle to the segment's, d half the segment and e half the box: |(m x d)_i| > e_j |d_k| + e_k
   /// |d_j|. `size` bounds the box's coordinates. Roundings: m and e err by 4 u size' each, size' >= size and
-  /// the segment's ends, u = 2^-53, and every product by u: 16 u size' (|d_j| + |d_k|) in all; doubled.
+  /// the segment's ends, u = 2^-53, and every product by u: 16 u size' (|d_j| + |d_k|) in total; doubled.
   bool apart_from_line(const blocking::Ray& ray, double size) const {
     if (apart_from_segment(ray)) return true;
     double m[3], d[3], e[3], largest = size;
@@ -91,7 +91,7 @@ struct Box {
     }
     return false;
   }
-  /// Grows to hold another.
+  /// Grows to contain another box.
   void take(const Box& other) {
     for (int i = 0; i < 3; ++i) {
       low[i] = std::min(low[i], other.low[i]);

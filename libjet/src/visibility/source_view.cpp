@@ -5,7 +5,7 @@
 
 namespace jet {
 
-// An element counts as facing away if rounding, or the outlet's length, leaves its side open.
+// An element counts as facing away if rounding or the outlet's length leaves its side open.
 bool SourceView::may_face_away(int element, double size) {
   int side = common_side(surface_, element, *source_, size);
   if (side != 0) return side < 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the sources of a query see of an element. Exact arithmetic decides where rounding leaves it open.
+// The side of an element that the sources of a query see. Exact arithmetic decides if rounding leaves it
+// open.
 #pragma once
 
 #include <optional>
@@ -10,10 +11,10 @@
 
 namespace jet {
 
-/// The sources of one query, before the surface.
+/// The sources of one query and the surface.
 class SourceView {
  public:
-  /// Predicates. They determine whether a ray's source is moved when the rule asks for it.
+  /// Predicates. They determine whether a ray's source is moved when the rule needs it.
   struct Kernel : filter::Kernel {
     SourceView* view = nullptr;
     bool moved(const blocking::Ray& ray) {
@@ -42,7 +43,7 @@ class SourceView {
 
   Surface surface_;
   const RaySource* source_ = nullptr;
-  std::optional<bool> point_moved_;  // of a point source, once it is known
+  std::optional<bool> point_moved_;  // whether a point source is moved, once known
   Kernel kernel_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles of one query in the form that the routes read: the nodes as given, with a stride, no copies.
+// The triangles of one query in the form that the routes read. Nodes are not copied; they have a stride.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct Surface {
   const Role* roles = nullptr;
   int count = 0;
   int node_count = 0;
-  const int* names = nullptr;  // the caller's numbers of the nodes; null: their own
+  const int* names = nullptr;  // the caller's numbers of the nodes; null: the same as here
 
   const double* node(int i) const { return nodes + i * stride; }
   const double* corner(int element, int i) const {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays and elements that may touch: first by boxes, then by the signs with which a line passes the edges.
+// Finds rays and elements that may touch: first by boxes, then by the signs of a line against the edges.
 #pragma once
 
 #include "visibility/box_kernels.hpp"
 
 namespace jet::JET_KERNELS {
 
-/// Best lane of each of eight rows, in their order.
+/// The best lane of each of eight rows, in the order of the rows.
 template <class Rows, class Better>
 [[gnu::always_inline]] inline Floats best_lanes(Rows rows, Better better) {
   const auto halves = [&](int i) {
@@ -56,7 +56,7 @@ inline int choose_boxes(const BoxArrays& from, const std::uint8_t* chosen, float
   return found;
 }
 
-/// A box around rays. It does not overlap boxes that begin deeper than `depth`.
+/// A box around rays. It overlaps no box that begins deeper than `depth`.
 struct Box {
   Floats low_p, high_p, low_q, high_q, depth;
   [[gnu::always_inline]] Box(const RayRanges& r, Floats deepest)
@@ -72,13 +72,14 @@ struct Box {
   }
 };
 
-/// A list of blocks, and workspace for the list that is made from it.
+/// A list of blocks, and workspace for the next list.
 struct Blocks {
   int *list, *next;
   int count;
 };
 
-/// Lowest blocks whose boxes overlap, in order, found level by level. If there are few, all are taken.
+/// Lowest blocks whose boxes overlap `box`, in order, found level by level. If there are few, all are
+/// returned.
 inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, const PairLists& to) {
   Blocks b{to.first, to.second, 0};
   int level = 0;
@@ -102,7 +103,7 @@ inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, const Pair
 struct Line {
   Vec3<Floats> g;
   Floats y, slope_u, slope_v;
-  Floats error, error_w;  // of a place beside the line at w: error + error_w |w|
+  Floats error, error_w;  // error of a place beside the line at w: error + error_w |w|
 };
 
 /// With u = 2^-25 and s the larger slope, targets err by 5 u and slopes by 11 u (1 + s) / g.w. Corners err by
@@ -116,8 +117,8 @@ struct Line {
   return {g, y, u, v, error, error * inverse};
 }
 
-/// Signs with which a line passes the edges of triangles, from the corners' places beside the line, two by
-/// two. With E the error of a place and m the largest place, a product errs by at most 3.4 m E + 0.8 E^2.
+/// Signs of a line against the edges of triangles, from the places of two corners at a time beside the line.
+/// With E the error of a place and m the largest place, a product errs by at most 3.4 m E + 0.8 E^2.
 struct Passing {
   Floats low, high, error;
   Floats::Mask missed() const { return (high > error) & (low < -error); }
@@ -144,9 +145,9 @@ struct Ends {
   Floats::Mask beyond;   // the segment certainly does not touch it
 };
 
-/// Compares depths: all corners are between the ends, or beyond one of them. Also compares sides: the ends
-/// are on opposite sides, or on one side, of the plane. With M and n the largest coordinates of the points
-/// and of the edges, heights over the plane err by at most 5e-6 n (M + n).
+/// Compares depths (all corners are between the ends, or beyond one of them) and sides (the ends are on
+/// opposite sides of the plane, or on one side). With M and n the largest coordinates of the points and of
+/// the edges, heights over the plane err by at most 5e-6 n (M + n).
 [[gnu::always_inline]] inline Ends ends(const Line& r, const Corners& t) {
   const auto& [a, b, c] = t;
   const Floats low = min(min(a.z, b.z), c.z), high = max(max(a.z, b.z), c.z), slack(kSlack);

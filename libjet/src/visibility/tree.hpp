@@ -9,7 +9,7 @@
 
 namespace jet {
 
-/// AABB tree over the elements of one surface at one instant. It answers rays by the shared rule.
+/// AABB tree over the elements of one surface at one instant. It tests rays by the shared rule.
 class ElementTree {
  public:
   explicit ElementTree(const Surface& surface);

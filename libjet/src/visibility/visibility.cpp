@@ -19,7 +19,7 @@
 namespace jet {
 namespace {
 
-/// Every pair. With CGAL's predicates it is the oracle.
+/// Tests every pair. With CGAL's predicates it is the oracle.
 template <class Kernel>
 struct BruteForce {
   const Surface& surface;
@@ -39,7 +39,7 @@ struct BruteForce {
   }
 };
 
-/// Filtered predicates, for rays of which it is known if they are moved.
+/// Filtered predicates, for rays whose source is known to be moved or not.
 struct FilteredKernel : filter::Kernel {
   bool moved(const blocking::Ray& ray) const { return ray.moved == blocking::Moved::yes; }
 };
@@ -69,12 +69,12 @@ VisibilityCounters& VisibilityCounters::operator+=(const VisibilityCounters& oth
 }
 
 struct VisibilityQuery::Impl {
-  int node_count;  // of the caller's
+  int node_count;  // nodes of the caller
   bool closed;
-  std::vector<std::array<int, 3>> triangles;  // numbers in `used` if there are unused nodes
+  std::vector<std::array<int, 3>> triangles;  // they index `used` if there are unused nodes
   std::vector<Role> roles;
-  std::vector<int> used;  // nodes of elements; empty if all are
-  Eigen::Matrix3Xd copy;  // of these nodes
+  std::vector<int> used;  // nodes that elements use; empty if all are used
+  Eigen::Matrix3Xd copy;  // coordinates of the nodes in `used`
   std::shared_ptr<const OrderedMesh> mesh;
   BothWays fast;
 
@@ -82,7 +82,7 @@ struct VisibilityQuery::Impl {
   int used_count() const { return used.empty() ? node_count : static_cast<int>(used.size()); }
   void prepare() { fast.prepare(mesh, static_cast<std::size_t>(used_count()), closed); }
 
-  /// Renumbers the triangles if some nodes are of no element: these are then never read.
+  /// Renumbers the triangles if some nodes belong to no element, so that these are never read.
   void leave_out_unused() {
     std::vector<int> number(static_cast<std::size_t>(node_count), -1);
     for (const Triangle& t : triangles)
@@ -112,11 +112,11 @@ struct VisibilityQuery::Impl {
     }
   }
 
-  /// The nodes' coordinates are left to the routes.
+  /// The routes check the nodes' coordinates.
   void check(const Points& nodes, const RaySource& source, std::span<const int> candidates) const {
     check_source(source);
     const auto last = static_cast<unsigned>(count() - 1);
-    unsigned signs = 0;  // looked at in one go, and named only if there is one
+    unsigned signs = 0;  // checked together; named only if one is bad
     for (const int e : candidates) signs |= static_cast<unsigned>(e) | (last - static_cast<unsigned>(e));
     for (std::size_t k = 0; signs >> 31 != 0 && k < candidates.size(); ++k)
       require_index("candidate", candidates[k], count());
@@ -168,7 +168,7 @@ bool VisibilityQuery::closed() const {
 VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                                           std::span<const int> candidates, std::span<std::uint8_t> lit,
                                           double displacement_bound) {
-  impl_->fast.move_to(displacement_bound);  // refused or not, and whatever the route
+  impl_->fast.move_to(displacement_bound);  // for every route, even if the input is then refused
   impl_->check(nodes, source, candidates);
   if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
   if (!has_route(route)) refuse("route cgal_tree is not part of this program, allowed: fast, brute_force");
@@ -197,7 +197,8 @@ std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& n
   const winding::Box box = winding::bounding_box(surface);
   FilteredKernel kernel;
   const BruteForce<FilteredKernel> search{surface, kernel};
-  std::map<std::array<double, 3>, std::optional<int>> of_source;  // many rays begin at an end of a slot
+  std::map<std::array<double, 3>, std::optional<int>> of_source;  // many rays of a slot begin at one of its
+                                                                  // ends
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     blocking::Ray ray = blocking::make_ray(surface, candidates[k], source);
     const auto [known, is_new] = of_source.try_emplace({ray.source[0], ray.source[1], ray.source[2]});

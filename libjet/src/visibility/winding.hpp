@@ -37,7 +37,8 @@ std::optional<int> crossing(Kernel& kernel, const blocking::Ray& ray, const Surf
   const int near = blocking::orientation_from_source(kernel, ray, a, b, c);
   const int far = kernel.orientation(ray.target, a, b, c);
   if (near == 0) {
-    // In the plane. It is crossed only if the source stays on the element or the whole ray lies in the plane.
+    // The source is in the plane. It crosses only if it stays on the element or the whole ray lies in the
+    // plane.
     if (kernel.moved(ray) && exact::stays_on_triangle(ray.source, ray.axis, a, b, c)) return std::nullopt;
     if (far == 0 && !exact::collinear(a, b, c)) return std::nullopt;
     return 0;
@@ -51,7 +52,7 @@ std::optional<int> crossing(Kernel& kernel, const blocking::Ray& ray, const Surf
 
 inline constexpr int kDirections = 8;
 
-/// Point `k` outside the box, each in another general direction. False if rounding leaves it inside.
+/// Point `k` outside the box; each is in another direction. False if rounding leaves it inside.
 inline bool far_point(const Box& box, int k, double* point) {
   constexpr double directions[kDirections][3] = {
       {1.0, 0.137, 0.291},  {-0.173, 1.0, 0.319},  {0.231, -0.113, 1.0}, {-1.0, 0.271, -0.193},
@@ -66,8 +67,8 @@ inline bool far_point(const Box& box, int k, double* point) {
   return outside;
 }
 
-/// Winding number of `ray`'s source, moved if it is marked so. Preconditions: the surface is closed, and
-/// `box` contains it.
+/// Winding number of `ray`'s source, moved if the ray is marked as moved. Preconditions: the surface is
+/// closed, and `box` contains it.
 template <class Kernel>
 std::optional<int> number(Kernel& kernel, const blocking::Ray& ray, const Surface& surface, const Box& box) {
   blocking::Ray winding_ray = ray;
