@@ -41,7 +41,7 @@ inline void require_finite(const std::string& field, const Eigen::Vector3d& valu
   if (!value.allFinite()) reject(field, text(value), "finite");
 }
 
-// Every corner is a column of the nodes.
+// Throws std::invalid_argument unless every corner is a column of the nodes.
 inline void require_nodes(const std::string& field, const Triangles& triangles, Eigen::Index node_count) {
   for (Eigen::Index e = 0; e < triangles.cols(); ++e)
     for (int i = 0; i < 3; ++i)

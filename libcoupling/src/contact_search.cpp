@@ -12,8 +12,8 @@
 namespace coupling::detail {
 
 double largest_motion(const Nodes& nodes, const Eigen::Matrix3Xd& old) {
-  // Components apart: at most sqrt(3) above the largest length, and a bound all the same. The sums carry a
-  // coordinate that is not finite, which a maximum drops.
+  // The maximum of each component gives a bound at most sqrt(3) above the largest length. The sums detect a
+  // coordinate that is not finite, which a maximum ignores.
   Eigen::Array3d largest = Eigen::Array3d::Zero(), sum = Eigen::Array3d::Zero();
   for (Eigen::Index a = 0; a < nodes.cols(); ++a) {
     const Eigen::Array3d squared = (nodes.col(a) - old.col(a)).array().square();
@@ -25,20 +25,20 @@ double largest_motion(const Nodes& nodes, const Eigen::Matrix3Xd& old) {
 
 namespace {
 
-constexpr double kRounding = 1.0 + 1e-12;  // keeps an element that only round-off puts out of reach
+constexpr double kRounding = 1.0 + 1e-12;  // margin for elements that only round-off puts out of reach
 constexpr double kUnknown = -std::numeric_limits<double>::infinity();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Of the impactor's size: rounding of the positions, step after step, stays far below.
+// Share of the impactor's size; accumulated rounding of the positions stays far below it.
 constexpr double kShare = 1e-9;
-// A box whose gap is this much of its size will do for long enough.
+// A box is good enough if its gap is at least this share of its size.
 constexpr double kWorthwhile = 0.05;
 
-// What is at least between the impactor and something, and the size of that [m].
+// Lower bound of the gap between the impactor and an object, and the size of that object [m].
 struct Bound {
   double gap, size;
 };
 
-// Up to the circle about an element's centroid that holds its corners.
+// Bound by the circle about an element's centroid through its farthest corner.
 Bound circle_bound(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                    const Eigen::Vector3d& centre, const Impactor& impactor) {
   const Eigen::Vector3d first = b - a, second = c - a;
@@ -49,7 +49,7 @@ Bound circle_bound(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
   return {impactor.distance_to_ball(middle, circle), circle};
 }
 
-// Up to the box around nodes.
+// Bound by the box around nodes.
 Bound box_bound(const Nodes& nodes, const int* begin, const int* end, const Eigen::Vector3d& centre,
                 const Impactor& impactor) {
   Eigen::Array3d low = Eigen::Array3d::Constant(kInfinity), high = -low, sum = Eigen::Array3d::Zero();
@@ -59,13 +59,13 @@ Bound box_bound(const Nodes& nodes, const int* begin, const int* end, const Eige
     high = high.max(x);
     sum += x;
   }
-  // A minimum drops what is no number, a sum does not.
+  // A minimum ignores NaN, a sum does not.
   if (!std::isfinite(sum.sum())) return {std::numeric_limits<double>::quiet_NaN(), 0.0};
   const double gap = impactor.distance_to_box(low - centre.array(), high - centre.array());
   return {gap - kShare * impactor.size(), (high - low).maxCoeff()};
 }
 
-// In four strands, which need not wait for each other.
+// Minimum in four independent chains, which the processor can overlap.
 double least_of(const std::vector<double>& values) {
   double least[4] = {kInfinity, kInfinity, kInfinity, kInfinity};
   std::size_t i = 0;
@@ -93,8 +93,8 @@ double Search::exact_gap(int element) const {
          kShare * impactor.size();
 }
 
-// Gap of the element: exact if it is less than the element's own size or than `wanted`, else a bound that
-// costs a fifth.
+// Gap of the element: exact if it is less than the element's own size or `wanted`, otherwise a bound at a
+// fifth of the cost.
 double Search::look(int element, double wanted) {
   ++state.looks;
   const auto corner = triangles.col(element);
@@ -103,7 +103,7 @@ double Search::look(int element, double wanted) {
   return bound.gap > std::max(bound.size, wanted) ? bound.gap : exact_gap(element);
 }
 
-// Calls found(element, gap) for the elements looked at: those that may be nearer than `wanted`.
+// Calls found(element, gap) for the examined elements: those that may be nearer than `wanted`.
 template <class Found>
 void Search::look_at_group(std::size_t g, double wanted, Found&& found) {
   const Bound box = box_bound(nodes, groups.nodes.data() + groups.first_node[g],
@@ -140,12 +140,12 @@ void Search::find_near_elements() {
 
 void Search::settle_gap() {
   if (!state.near.empty()) return;
-  // While one element is within the step ahead no level will do without a look: that of the last level,
-  // mostly.
+  // While an element is within the motion ahead, every level needs a search. Usually it is the element of the
+  // last level.
   double least = exact_gap(state.nearest);
   const auto take = [&](int element, double gap) {
     if (!(gap < least)) return;
-    const double exact = exact_gap(element);  // the gap may be a bound, below what is free
+    const double exact = exact_gap(element);  // the gap may be a lower bound
     if (exact < least) state.nearest = element;
     least = std::min(least, exact);
   };
@@ -153,7 +153,7 @@ void Search::settle_gap() {
     return !(least > state.ahead) || state.displacement_bound + std::max(state.ahead, 0.5 * least) < slack;
   };
   if (enough(state.gap)) return;
-  // The group that seems nearest says how far there is to look in the others.
+  // The group that seems nearest limits the search in the others.
   const auto first = std::min_element(state.group_slack.begin(), state.group_slack.end());
   look_at_group(static_cast<std::size_t>(first - state.group_slack.begin()), state.ahead, take);
   for (std::size_t g = 0; g < groups.count(); ++g)
@@ -161,7 +161,7 @@ void Search::settle_gap() {
   state.gap = least_of(state.group_slack);
 }
 
-// Of the sphere, that the skin may move past it within a step: ten times as many would still be searched
+// Largest motion of the skin past the sphere within a step, in radii. Ten times more would still be searched
 // exactly.
 constexpr double most_radii = 1000.0;
 
@@ -180,7 +180,7 @@ void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const N
       throw ContactError("contact: element " + std::to_string(e) + " moves by " + text(motion) +
                          " m past the sphere's centre within one step, its limit is " +
                          text(most_radii * radius) + " m");
-    // A centre this close to the skin is far beyond the penetration allowed, whichever side it ends on.
+    // A centre this close to the skin is far beyond the allowed penetration, on either side.
     if (path_meets_triangle(start, end, 0.01 * radius))
       throw PenetrationError("contact: the sphere's centre crossed the skin at element " + std::to_string(e) +
                              " within one step");

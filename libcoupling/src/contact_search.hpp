@@ -8,7 +8,7 @@ namespace coupling::detail {
 // distance. NaN if a coordinate is not finite.
 double largest_motion(const Nodes& nodes, const Eigen::Matrix3Xd& old);
 
-// Forgets all gaps: the next search looks at every group.
+// Forgets all gaps: the next search examines every group.
 void forget_gaps(ContactState& state);
 
 // One level of a skin, with the impactor that searches it.
@@ -17,13 +17,13 @@ struct Search {
   const ElementGroups& groups;
   const Nodes& nodes;
   const Impactor& impactor;
-  ContactState& state;  // centre and displacement_bound are those of the level
+  ContactState& state;  // centre and displacement_bound belong to this level
 
-  // Looks at the elements that the motion may have brought to the impactor. Lists those that overlap it in
+  // Examines the elements that the motion may have brought to the impactor. Lists the overlapping ones in
   // state.near, ascending, and sets state.gap. Throws ContactError if a coordinate is not finite.
   void find_near_elements();
-  // Raises state.gap where possible: above state.ahead if that much is free, and to at least half of what is
-  // free.
+  // Raises state.gap if possible: above state.ahead if the true gap allows, and to at least half of the true
+  // gap.
   void settle_gap();
 
  private:

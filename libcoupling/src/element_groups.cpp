@@ -8,7 +8,7 @@
 namespace coupling {
 namespace {
 
-// Bits of the three coordinates in turn, each of `steps` below 2^20.
+// Interleaves the bits of the three coordinates `steps`, each below 2^20.
 std::uint64_t morton_code(const Eigen::Array3d& steps) {
   std::uint64_t code = 0;
   for (int bit = 19; bit >= 0; --bit)
@@ -18,7 +18,7 @@ std::uint64_t morton_code(const Eigen::Array3d& steps) {
 
 std::vector<int> in_morton_order(const Triangles& triangles, const Nodes& shape) {
   const Eigen::Array3d low = shape.rowwise().minCoeff(), high = shape.rowwise().maxCoeff();
-  // Of the longest side, which keeps the groups of a flat skin round.
+  // Scaled by the longest side, so that the groups of a flat skin are round.
   const double scale = 0x1p20 * (1.0 - 1e-9) / (high - low).maxCoeff();
   std::vector<std::uint64_t> code;
   for (Eigen::Index e = 0; e < triangles.cols(); ++e) {

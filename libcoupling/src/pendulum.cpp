@@ -17,10 +17,10 @@ Eigen::Vector3d unit(const std::string& field, const Eigen::Vector3d& v) {
   return v / length;
 }
 
-// A rest direction that leans along the axis would change the lengths given: only round-off is taken out.
+// Removes round-off only: a rest direction that leans along the axis would change the given lengths.
 Eigen::Vector3d rest_normal_to(const Eigen::Vector3d& axis, const Eigen::Vector3d& given) {
   const Eigen::Vector3d direction = unit("pendulum.rest_direction", given);
-  constexpr double kLean = 1e-6;  // [rad] digits of a direction typed by hand
+  constexpr double kLean = 1e-6;  // [rad] error of a direction typed by hand
   if (std::abs(direction.dot(axis)) > kLean)
     detail::reject("pendulum.rest_direction", detail::text(given), "normal to the axis (to 1e-6 rad)");
   return (direction - direction.dot(axis) * axis).normalized();
@@ -50,7 +50,7 @@ PendulumModel::PendulumModel(const PendulumParameters& parameters)
       axis_inertia_(parameters_.inertia_cg +
                     parameters_.mass * parameters_.cg_distance * parameters_.cg_distance),
       effective_mass_(axis_inertia_ / (parameters_.impactor_distance * parameters_.impactor_distance)) {
-  // Both given as zero: every one alone may be.
+  // inertia_cg and cg_distance are both zero; only one may be.
   if (!(axis_inertia_ > 0.0))
     detail::reject("pendulum.inertia_cg", "0", "greater than 0 when cg_distance = 0");
 }

@@ -42,7 +42,7 @@ double squared_distance_to_segment(const Vector3d& a, const Vector3d& b) {
   return (a + t * edge).squaredNorm();
 }
 
-// Is the origin's foot on the plane strictly inside the triangle with normal n?
+// True if the origin's projection on the plane is strictly inside the triangle with normal n.
 bool foot_inside(const Eigen::Matrix3d& u, const Vector3d& n) {
   for (int i = 0; i < 3; ++i) {
     const Vector3d a = u.col(i), b = u.col((i + 1) % 3);
@@ -120,7 +120,7 @@ bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& en
   detail::require_positive("path_meets_triangle: tolerance", tolerance);
   const Eigen::Matrix3d motion = end - start;
   const double largest = motion.colwise().norm().maxCoeff();
-  constexpr double least = 1e-6;  // of the step: below rounding the time would stand still
+  constexpr double least = 1e-6;  // share of the step: with smaller advances rounding would stop the time
   for (double t = 0.0;;) {
     const double distance = distance_from_origin(start + t * motion);
     if (!(distance > tolerance)) return true;

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1.0 + 1e-12;  // of a motion bound that others computed
+constexpr double kRounding = 1.0 + 1e-12;  // margin for a motion bound that others computed
 
 void require_columns(const std::string& field, Eigen::Index columns, int node_count) {
   if (columns != node_count)
@@ -84,7 +84,7 @@ ContactState ContactModel::make_state() const {
   state.near.reserve(quadrature_.size());
   state.nodal_stiffness.assign(masses_.size(), 0.0);
   if (parameters_.friction > 0.0) {
-    // More points than this in touch at once are beyond any scene so far; they would allocate, once.
+    // More points in contact than in any scene so far. If there are more, the list allocates once.
     constexpr std::size_t kManyPoints = 1 << 16;
     std::size_t points = 0;
     for (const auto& [weight, n] : quadrature_)
@@ -99,7 +99,7 @@ bool ContactModel::stays_clear(ContactState& state, double motion, double ahead)
   require_own(state, groups_);
   state.ahead = ahead;
   state.told = motion >= 0.0 ? motion : std::numeric_limits<double>::infinity();
-  // Not a number compares false.
+  // NaN compares false.
   if (!state.started || !(state.displacement_bound + kRounding * motion + ahead < state.gap)) return false;
   state.displacement_bound += kRounding * motion;
   state.told = ContactState::kNotTold;
@@ -107,7 +107,7 @@ bool ContactModel::stays_clear(ContactState& state, double motion, double ahead)
   return true;
 }
 
-// Takes the new level into the state: certificate or sweep for the path, then the elements that overlap.
+// Updates the state to the new level: a certificate or sweep for the path, then the overlapping elements.
 void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3d& centre) const {
   const double radius = impactor_.size();
   if (!state.started) detail::forget_gaps(state);
@@ -118,7 +118,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   if (!(motion >= 0.0)) motion = detail::largest_motion(nodes, state.nodes) + (centre - state.centre).norm();
   if (!std::isfinite(motion) || !centre.allFinite())
     throw ContactError("contact: a node or the sphere's centre is not finite");
-  // No skin point was nearer to the centre than this: less motion cannot bring them together.
+  // No skin point was closer to the centre than this, so a smaller motion cannot bring them together.
   const double clearance = radius + state.gap - state.displacement_bound;
   if (state.started && !(motion < clearance)) {
     if (!state.kept)
@@ -140,7 +140,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   state.started = true;
 }
 
-// The positions that the next call may need: for its sweep if the motion ahead may be too long for the
+// Keeps positions that the next call may need: for its sweep if the motion ahead may be too long for the
 // certificate, and for the skin's motion under bristles.
 void ContactModel::keep(ContactState& state, const Nodes& nodes) const {
   const double clearance = impactor_.size() + state.gap - state.displacement_bound;
@@ -150,7 +150,7 @@ void ContactModel::keep(ContactState& state, const Nodes& nodes) const {
   if (state.kept) state.nodes = nodes;
 }
 
-// What the corners moved since the last level. Without kept positions there is no bristle that follows them.
+// Sets the motion of the corners since the last level. Without kept positions no bristle needs it.
 void ContactModel::aim(int e, const ContactState& state, const Nodes& nodes, detail::Grip& grip) const {
   const auto corner = triangles_.col(e);
   Vector3d moved[3];

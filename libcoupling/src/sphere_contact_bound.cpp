@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact takes of the step: (K.12), (K.13).
+// Effect of contact on the stable step: (K.12), (K.13).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,14 +10,15 @@
 namespace coupling {
 namespace {
 
-// What friction makes of the two parts of (K.12).
+// Factors by which friction raises the two parts of (K.12).
 struct FrictionFactors {
   double skin = 1.0, sphere = 1.0;
 };
 
 FrictionFactors friction_factors(double coefficient) {
   if (!(coefficient > 0.0)) return {};
-  // Sticking is as stiff as pressing, at right angles to it; sliding follows the depth, mu times the force.
+  // Sticking adds the same stiffness at right angles; a sliding force, mu times the normal one, follows the
+  // depth.
   const double skewed = std::sqrt(1.0 + coefficient * coefficient);
   // Friction acts at the sphere's surface, at most twice as far from a pivot as the centre (r <= L_i).
   return {skewed, 4.0 * skewed};
@@ -25,8 +26,8 @@ FrictionFactors friction_factors(double coefficient) {
 
 }  // namespace
 
-// Sub-triangles' centroids integrate the shape functions exactly: a third of the element's area to each
-// corner.
+// Centroids of sub-triangles integrate the shape functions exactly: each corner gets a third of the element's
+// area.
 double ContactModel::full_omega_squared_of_skin() const {
   std::vector<double> area(masses_.size(), 0.0);
   for (int e = 0; e < element_count(); ++e) {
@@ -63,7 +64,7 @@ double default_contact_stiffness(const StiffnessBudget& budget) {
   detail::require_positive("contact.effective_mass", budget.effective_mass);
   detail::require_not_negative("contact.friction", budget.friction);
   const FrictionFactors factors = friction_factors(budget.friction);
-  // 3/4 of the great circle touch at depth r/2; the turning of the force adds less than the last quarter.
+  // At depth r/2, 3/4 of the great circle touch. The rotation of the force adds less than the last quarter.
   const double circle = std::numbers::pi * budget.sphere_radius * budget.sphere_radius;
   return budget.share * budget.other_omega_squared /
          (factors.skin / budget.surface_density + factors.sphere * circle / budget.effective_mass);

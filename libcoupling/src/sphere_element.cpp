@@ -19,7 +19,7 @@ struct Point {
   double depth;     // [m]
 };
 
-// The bristle of this point at the last level; those passed over on the way have left the sphere.
+// The bristle of this point at the last level. Bristles skipped before it have left the sphere.
 const Bristle* find(Grip& grip, int number) {
   for (; grip.passed < grip.before.size(); ++grip.passed) {
     const Bristle& b = grip.before[grip.passed];
@@ -30,7 +30,7 @@ const Bristle* find(Grip& grip, int number) {
   return nullptr;
 }
 
-// (K.16), (K.17): the stretch follows the skin's motion against the sphere, held to mu times the depth.
+// (K.16), (K.17): the stretch follows the skin's motion against the sphere, limited to mu times the depth.
 void add_friction(const Element& element, const Point& point, Grip& grip, ElementSums& sums) {
   Vector3d stretch = Vector3d::Zero();
   if (const Bristle* last = find(grip, point.number)) {
@@ -60,7 +60,7 @@ void add_point(const Element& element, const Impactor& impactor, int number, dou
   if (!inside) return;
   point.depth = inside->depth;
   sums.depth = std::max(sums.depth, point.depth);
-  // Where there is no normal the depth is more than is allowed; the caller throws.
+  // Without a normal the depth exceeds the limit, and the caller throws.
   const bool has_normal = inside->length > 0.0;
   const Vector3d push = (has_normal ? element.weight * point.depth / inside->length : 0.0) * inside->outward;
   for (int i = 0; i < 3; ++i) {
@@ -74,8 +74,8 @@ void add_point(const Element& element, const Impactor& impactor, int number, dou
   add_friction(element, point, *grip, sums);
 }
 
-// Points (j + offset)/n of one row that can lie in the impactor, one point more on either side. `number` is
-// that of j = 0.
+// Adds the points (j + offset)/n of one row that can lie in the impactor, and one more on either side.
+// `number` is the number of point j = 0.
 void add_row(const Element& element, const Impactor& impactor, int row, double offset, int count, int number,
              Grip* grip, ElementSums& sums) {
   const double n = element.subdivision;

@@ -14,24 +14,24 @@ struct Element {
   int subdivision;
 };
 
-// Friction of one evaluation. It walks through the bristles of the last level, in ascending order of element
-// and point, while it writes those of this level.
+// Friction of one evaluation. It reads the bristles of the last level, in ascending order of element and
+// point, and writes those of this level.
 struct Grip {
-  Eigen::Vector3d origin, first, second;  // [m] displacement of the element since then, less the centre's
+  Eigen::Vector3d origin, first, second;  // [m] displacement of the element since then, minus the centre's
   Eigen::Vector3d turn;                   // [rad] rotation of the impactor since then
   double coefficient;
   int element;
   const std::vector<Bristle>& before;
   std::size_t passed;
   std::vector<Bristle>& now;
-  double loss;  // [J] over kappa
+  double loss;  // [J] divided by kappa
 };
 
-// Sums over the touched points of one element, over kappa.
+// Sums over the touched points of one element, divided by kappa.
 struct ElementSums {
   Eigen::Vector3d force[3] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                               Eigen::Vector3d::Zero()};  // on the corners
-  Eigen::Vector3d couple = Eigen::Vector3d::Zero();      // of the forces on the skin about the centre
+  Eigen::Vector3d couple = Eigen::Vector3d::Zero();      // moment of the forces on the skin about the centre
   double shape[3] = {0.0, 0.0, 0.0};                     // [m2] sum_q w_q N_a
   double energy = 0.0, area = 0.0;
   double depth = 0.0;  // [m] of the deepest point
@@ -40,7 +40,7 @@ struct ElementSums {
 // Sums over the element's quadrature points inside the impactor. Null `grip`: no friction.
 ElementSums integrate(const Element& element, const Impactor& impactor, Grip* grip);
 
-// Friction loss [J] over kappa, including that of the points that have left the sphere since the last level.
+// Friction loss [J] divided by kappa, including points that left the sphere since the last level.
 double release_rest(Grip& grip);
 
 }  // namespace coupling::detail

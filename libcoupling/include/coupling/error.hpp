@@ -12,7 +12,8 @@ class ContactError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The sphere sank in beyond half its radius, or its centre crossed the skin: stiffer contact holds it.
+/// The sphere sank in by more than half its radius, or its centre crossed the skin. A stiffer contact
+/// prevents that.
 class PenetrationError : public ContactError {
  public:
   using ContactError::ContactError;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The impactor's shape: a signed distance with a normal. Contact knows the shape through this header alone.
-// Another shape has the members of Sphere and takes its place as `Impactor`; it looks the same at every angle
-// about the pendulum's axis, as a cylinder along that axis does. CONTRIBUTING.md walks through it.
+// The impactor's shape: a signed distance with a normal. Contact uses the shape through this header only.
+// Another shape needs the members of Sphere and replaces it as `Impactor`. It must look the same at every
+// angle about the pendulum's axis, like a cylinder along that axis. CONTRIBUTING.md gives the steps.
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
@@ -10,16 +10,16 @@
 
 namespace coupling {
 
-/// Where a point lies below the surface of an impactor.
+/// Position of a point below the surface of an impactor.
 struct Depth {
   double depth;             // [m] > 0: minus the signed distance
-  double length;            // [m] of `outward`; 0 where the distance has no gradient
+  double length;            // [m] length of `outward`; 0 where the distance has no gradient
   Eigen::Vector3d outward;  // [m] along the surface's outward normal
 
   Eigen::Vector3d normal() const { return outward / length; }  // requires length > 0
 };
 
-/// Part of a line, by its parameter.
+/// Range of the parameter of a line.
 struct Stretch {
   double begin;  // the lower end
   double end;    // the upper end
@@ -29,8 +29,8 @@ struct Stretch {
 struct Sphere {
   double radius = 0.0;  // [m] > 0
 
-  /// Length [m] that elements resolve: quadrature points are at most a quarter of it apart. A point may sink
-  /// in by half of it. The skin may not meet the ball of this radius's hundredth about the centre.
+  /// Length scale [m]: quadrature points are at most a quarter of it apart, a point may sink in by half of
+  /// it, and the skin must stay a hundredth of it away from the centre.
   double size() const { return radius; }
 
   /// Minus the signed distance of the point, if it is inside, with the outward normal.
@@ -41,7 +41,7 @@ struct Sphere {
     return Depth{radius - distance, distance, point};
   }
 
-  /// Signed distance [m] of a triangle, or a lower bound: the nearer it is, the less often the skin is
+  /// Signed distance [m] of a triangle, or a lower bound. The closer the bound, the less often the skin is
   /// searched.
   double distance_to_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const Eigen::Vector3d& c) const;
@@ -56,7 +56,8 @@ struct Sphere {
     return low.max(-high).max(0.0).matrix().norm() / kRounding - radius;
   }
 
-  /// Where the line start + t step can be inside; nothing if it is outside. Rounding is allowed for.
+  /// Stretch on which the line start + t step can be inside, with a margin for rounding; empty if it is
+  /// outside.
   std::optional<Stretch> inside(const Eigen::Vector3d& start, const Eigen::Vector3d& step) const {
     const double length2 = step.squaredNorm(), middle = -start.dot(step);
     const double discriminant = middle * middle - length2 * (start.squaredNorm() - radius * radius);
@@ -66,7 +67,7 @@ struct Sphere {
     return Stretch{(middle - half_chord) / length2, (middle + half_chord) / length2};
   }
 
-  static constexpr double kRounding = 1.0 + 1e-12;  // keeps what only round-off puts out of reach
+  static constexpr double kRounding = 1.0 + 1e-12;  // margin for points that only round-off puts out of reach
 };
 
 /// The shape that contact is compiled for.

@@ -12,11 +12,11 @@ inline constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
 /// impactor's centre lie on one line through the pivot. PendulumModel normalises axis and rest direction.
 /// Gravity is zero by default; all other members must be given.
 struct PendulumParameters {
-  /// [m] Point of the axis next to the centre of gravity.
+  /// [m] point of the axis closest to the centre of gravity.
   Eigen::Vector3d pivot = Eigen::Vector3d::Constant(kNotGiven);
   Eigen::Vector3d axis =
       Eigen::Vector3d::Constant(kNotGiven);  // [-] of any length > 0; the angle grows right-handed about it
-  /// [-] From the pivot to the c.g. at angle 0, of any length > 0; normal to the axis to 1e-6 rad.
+  /// [-] from the pivot to the c.g. at angle 0; any length > 0; perpendicular to the axis within 1e-6 rad.
   Eigen::Vector3d rest_direction = Eigen::Vector3d::Constant(kNotGiven);
   double mass = kNotGiven;               // [kg] > 0
   double inertia_cg = kNotGiven;         // [kg m2] >= 0, about an axis through the c.g. parallel to `axis`
@@ -43,7 +43,7 @@ struct CgAcceleration {
 /// Constants of the pendulum and the relations between them, (K.1) to (K.8). Immutable.
 class PendulumModel {
  public:
-  /// Throws std::invalid_argument, naming field, value and what is allowed.
+  /// Throws std::invalid_argument that names the field, its value and its range.
   explicit PendulumModel(const PendulumParameters& parameters);
 
   const PendulumParameters& parameters() const { return parameters_; }  // directions normalised
@@ -75,13 +75,12 @@ class PendulumModel {
   ///   moment^n.
   /// `moment` [N m] is the sum of all moments about the axis (K.1). tau = (dt_before + dt_after)/2 [s], with
   /// dt_before = 0 at the start. The kinetic energy changes by exactly tau moment (omega_- + omega_+)/2 (kick
-  /// form). Throws std::invalid_argument for a step that is negative or no number, and ContactError if the
-  /// result is not finite.
+  /// form). Throws std::invalid_argument for a step that is negative or NaN, and ContactError if the result
+  /// is not finite.
   PendulumState advance(const PendulumState& state, double moment, double tau, double dt_after) const;
 
-  /// Throws ContactError if `turn` [rad], that of one step, moves the impactor's centre by more than r/2
-  /// along its arc (K.25). Contact tests the chord; up to r/2 the arc is off the chord by at most r/32, and
-  /// no turn is missed.
+  /// Throws ContactError if `turn` [rad], the rotation of one step, moves the impactor's centre by more than
+  /// r/2 along its arc (K.25). Contact tests the chord; for an arc of r/2 the chord is off by at most r/32.
   void require_followed(double turn) const;
 
   /// Angular velocity at level n, omega^{n-1/2} + (dt_before/2) alpha [rad/s], of second order.
@@ -95,8 +94,8 @@ class PendulumModel {
   Eigen::Vector3d joint_reaction(double angle, double angular_velocity, double moment,
                                  const Eigen::Vector3d& applied_force) const;
 
-  /// Bound of omega^2 [1/s2] that gravity, and the rotation of a contact force F [N] about the pivot, add to
-  /// the contact's own bound: (m |g| L_cg + |F| L_i) / I (K.8).
+  /// Bound of omega^2 [1/s2] due to gravity and to the rotation of a contact force F [N] about the pivot, in
+  /// addition to the contact's own: (m |g| L_cg + |F| L_i) / I (K.8).
   double omega_squared(const Eigen::Vector3d& contact_force) const;
 
  private:

@@ -7,9 +7,9 @@
 namespace coupling {
 
 /// Winding number [-] of a closed, outward oriented surface about a point off the surface: the sum of the
-/// triangles' solid angles over 4 pi (K.14). 1 inside, 0 outside, other integers where the surface overlaps
-/// itself; all to round-off. A fraction for an open surface. `point` [m]. Throws std::invalid_argument for a
-/// node number out of range and for coordinates that are not finite. Source: A. van Oosterom, J.
+/// triangles' solid angles over 4 pi (K.14). To round-off it is 1 inside, 0 outside, another integer where
+/// the surface overlaps itself, and a fraction for an open surface. `point` [m]. Throws std::invalid_argument
+/// for a node number out of range and for coordinates that are not finite. Source: A. van Oosterom, J.
 /// Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126.
 double winding_number(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& point);
 
@@ -20,18 +20,18 @@ double distance_to_triangle(const Eigen::Vector3d& point, const Eigen::Vector3d&
 /// Gap between a sphere and the skin.
 struct Gap {
   double distance = 0.0;  // [m] negative if they overlap
-  int element = -1;       // the nearest one
+  int element = -1;       // nearest element
 };
 
-/// Smallest gap between a sphere and the skin, exactly, over all elements (no quadrature). `centre` and
+/// Smallest gap between a sphere and the skin over all elements, exact (not by quadrature). `centre` and
 /// `radius` >= 0 [m]. Throws std::invalid_argument for a node number out of range, for coordinates of its
 /// elements or the centre that are not finite, and for a radius out of range.
 Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& centre,
                  double radius);
 
-/// Checks that a sphere lies outside a closed surface and overlaps it by at most 1e-9 radius, the round-off
-/// of placing it in touch (K.24). Throws std::invalid_argument, naming pendulum.impactor and the element;
-/// else as smallest_gap does.
+/// Checks that a sphere is outside a closed surface, with an overlap of at most 1e-9 radius, the round-off of
+/// placing it in touch (K.24). If not, throws std::invalid_argument that names pendulum.impactor and the
+/// element. Otherwise throws as smallest_gap does.
 void require_outside(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& centre,
                      double radius);
 
@@ -39,9 +39,9 @@ void require_outside(const Triangles& triangles, const Nodes& nodes, const Eigen
 /// move on straight lines at constant speed from the start to the end of the step. The columns of `start` and
 /// `end` are the corners minus the point [m].
 ///
-/// Conservative advancement: at distance d at time t, nothing can meet before t + d / (largest corner
-/// motion). So the answer `false` is certain for motions up to 1e6 tolerances. It takes at most as many
-/// rounds. Throws std::invalid_argument for coordinates that are not finite, and unless the tolerance is
+/// Conservative advancement: with distance d at time t, nothing can meet before t + d / (largest corner
+/// motion). So the answer `false` is certain for motions up to 1e6 tolerances; it takes at most 1e6
+/// iterations. Throws std::invalid_argument for coordinates that are not finite, and unless the tolerance is
 /// finite and > 0.
 bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end, double tolerance);
 
