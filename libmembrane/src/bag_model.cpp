@@ -45,11 +45,11 @@ ReferenceTriangle reference_triangle(const BagDescription& d, Eigen::Index e) {
   return t;
 }
 
-// Warp in the element's frame, (cos, sin) of its angle; an element without weave has it along the first axis.
+// Warp in the element's frame, (cos, sin) of its angle; the first axis for an element without weave.
 Eigen::Vector2d warp_direction(const ReferenceTriangle& t, const ElementProperties& p, Eigen::Index e) {
   if (!p.weave) return Eigen::Vector2d::UnitX();
   const Eigen::Vector2d in_plane = t.axes.transpose() * p.weave->warp.normalized();
-  // Closer to the normal than this the direction is rounding of the element's corners.
+  // Closer to the normal than this, the direction is only rounding of the element's corners.
   constexpr double least = 1e-6;
   if (!(in_plane.norm() > least))
     reject("element " + std::to_string(e), "part of the warp in the element's plane", in_plane.norm(),
@@ -76,7 +76,8 @@ Weave moduli_of(const ElementProperties& p) {
   return {p.young_modulus, p.young_modulus, p.poisson, 0.5 * p.young_modulus / (1.0 + p.poisson)};
 }
 
-// Plane-stress stiffness in the frame turned back from the warp by `angle` (cos, sin), for engineering shear.
+// Plane-stress stiffness in the frame rotated back from the warp by `angle` (cos, sin), for engineering
+// shear.
 Eigen::Matrix3d elasticity(const Weave& w, const Eigen::Vector2d& angle) {
   const double reciprocal = 1.0 - w.poisson * w.poisson * (w.young_modulus_weft / w.young_modulus_warp);
   Eigen::Matrix3d d, turn;
@@ -126,12 +127,12 @@ void set_element(BagModel& m, Eigen::Index e) {
   }
 }
 
-// The law, and fabrics without stress, as elements without effect keep them.
+// Sets the law, and fabrics without stress for elements without effect.
 void set_law(BagModel& m) {
   const BagDescription& d = m.description;
   const bool woven = std::any_of(d.properties.begin(), d.properties.end(),
                                  [](const ElementProperties& p) { return !p.null_panel && p.weave; });
-  // A bag of null panels alone has no law for isotropic fabric to look for.
+  // A bag of null panels only needs no law for isotropic fabric.
   m.law = find_law(d.law, woven).value_or(0);
   if (law_named(d.law).curves) m.yarns = {yarn_curve(d.curves[0]), yarn_curve(d.curves[1])};
   FabricGroup none{};
@@ -139,7 +140,7 @@ void set_law(BagModel& m) {
   m.elements.fabric.assign(m.elements.group.size(), none);
 }
 
-// Each fabric once, in the order of the groups.
+// Stores each distinct fabric once, in the order of the groups.
 void share_fabrics(BlockTable& table) {
   const auto before = [](const FabricGroup& a, const FabricGroup& b) {
     return std::memcmp(&a, &b, sizeof a) < 0;
@@ -170,8 +171,8 @@ void set_masses(BagModel& m) {
       m.inverse_mass.map()(axis, node) = 0.0;
 }
 
-// Largest row sum of |N^T M^-1 N K| over the straps: straps that share a node add up. It covers the
-// transverse (geometric) part too, which is k (1 - L0 / L) < k.
+// Largest row sum of |N^T M^-1 N K| over the straps: straps that share a node add up. It also covers the
+// transverse (geometric) part, k (1 - L0 / L) < k.
 double strap_bound(const BagModel& m) {
   std::vector<double> at_node(m.node_mass.size(), 0.0);
   const auto node = [](int n) { return static_cast<std::size_t>(n); };
@@ -184,7 +185,7 @@ double strap_bound(const BagModel& m) {
   return bound;
 }
 
-// Least mass per area of the fabric [kg/m2]: nowhere does a plate then take more than its share.
+// Smallest mass per area of the fabric [kg/m2]: with it a plate takes at most its share everywhere.
 double lightest(const BagModel& m) {
   double least = std::numeric_limits<double>::infinity();
   for (const ElementProperties& p : m.description.properties)
@@ -217,7 +218,7 @@ bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac) {
 
 BagModel make_model(const BagDescription& description) {
   check_description(description);
-  kernel_table(description.isa);  // refuses an instruction set that is not there
+  kernel_table(description.isa);  // throws for an unavailable instruction set
   BagModel m;
   m.description = description;
   m.node_count = static_cast<int>(description.reference.cols());

@@ -11,8 +11,7 @@ std::size_t at(std::int32_t index) {
   return static_cast<std::size_t>(index);
 }
 
-// Grows blocks one after the other, each breadth-first over neighbours from an element beside the ones
-// before.
+// Grows blocks one after the other, each breadth-first over neighbours from an element beside earlier blocks.
 class Growth {
  public:
   explicit Growth(const BagModel& model)
@@ -37,7 +36,7 @@ class Growth {
     return next_;
   }
 
-  // Where the last block stopped, or the first element that is left.
+  // An element where the last block stopped, or the first element left.
   std::int32_t seed() {
     for (; front_ < queue_.size(); ++front_)
       if (block_of_element_[at(queue_[front_])] < 0) return queue_[front_];
@@ -68,7 +67,7 @@ class Growth {
     return count;
   }
 
-  // Takes the element, queues its neighbours and returns the number of nodes that are new to the block.
+  // Adds the element, queues its neighbours and returns the number of its nodes that are new to the block.
   int add(std::int32_t element, std::int32_t block) {
     const int count = new_nodes(element, block);
     block_of_element_[at(element)] = block;
@@ -101,9 +100,9 @@ std::vector<std::int32_t> nodes_of(const BagModel& m, const std::vector<std::int
   return nodes;
 }
 
-// Groups of one block; `place_in_block` of its nodes is set. Each lane runs through a quarter of the
-// elements, so that those of a group share no nodes, or few: additions to one node's sum wait for each other,
-// which from neighbour to neighbour took a seventh of a step in cache.
+// Appends the groups of one block; `place_in_block` of its nodes is set. Each lane has a quarter of the
+// elements, so that elements of a group share few nodes: additions to one node's sum wait for each other,
+// which took a seventh of a step if neighbours shared a group.
 void append_groups(BagModel& m, const std::vector<std::int32_t>& elements,
                    const std::vector<std::uint16_t>& place_in_block) {
   BlockTable& table = m.elements;
@@ -174,7 +173,7 @@ void set_corner_table(BagModel& m) {
 void set_blocks(BagModel& m) {
   const auto blocks = Growth(m).blocks();
   std::vector<std::vector<std::int32_t>> nodes;
-  std::vector<int> holders(at(m.node_count), 0);  // blocks that hold the node
+  std::vector<int> holders(at(m.node_count), 0);  // number of blocks with the node
   for (const auto& elements : blocks) {
     nodes.push_back(nodes_of(m, elements));
     for (const std::int32_t node : nodes.back()) ++holders[at(node)];

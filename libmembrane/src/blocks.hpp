@@ -12,7 +12,7 @@ namespace membrane {
 void set_corner_table(BagModel& model);
 
 // Fills model.elements and model.shared from the elements and the corner table. Blocks grow over neighbours,
-// so they are compact and share few nodes. Of the groups only the nodes are set; all other numbers stay 0.
+// so they are compact and share few nodes. Of the groups it sets only the nodes; all other numbers stay 0.
 void set_blocks(BagModel& model);
 
 // Group of an element and its lane in the group.

@@ -83,7 +83,7 @@ void check_weave(std::string_view where, const ElementProperties& p) {
   const double ratio = p.weave->shear / (std::sqrt(p.young_modulus) * std::sqrt(p.weave->young_modulus_weft));
   if (!(ratio >= 1e-4 && ratio <= 100.0))
     reject(where, "shear / sqrt(young_modulus young_modulus_weft)", ratio, "1e-4 to 100");
-  // A little inside the limit, where the stiffness loses its inverse.
+  // Slightly inside the limit at which the stiffness becomes singular.
   if (!(p.poisson * p.poisson * (p.weave->young_modulus_weft / p.young_modulus) < 0.998))
     reject(where, "poisson", p.poisson, "poisson^2 < 0.998 young_modulus / young_modulus_weft");
   check_warp(where, p);

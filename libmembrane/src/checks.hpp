@@ -13,7 +13,7 @@ namespace membrane {
                          const std::string& allowed);
 [[noreturn]] void reject(std::string_view where, const std::string& problem);
 
-std::string shown(double value);  // enough digits to tell it from its neighbours
+std::string shown(double value);  // with enough digits to distinguish it from its neighbours
 
 void require_positive(std::string_view where, const char* field, double value);  // finite and > 0
 void require_not_negative(std::string_view where, const char* field, double value);
@@ -28,7 +28,7 @@ struct BagModel;
 // Every number is one of an element.
 void require_elements(std::string_view where, const BagModel& model, std::span<const int> elements);
 
-// Refuses everything that make_model refuses and that needs no computation. Throws std::invalid_argument.
+// Makes all checks of make_model that need no computation. Throws std::invalid_argument.
 void check_description(const BagDescription& description);
 
 }  // namespace membrane

@@ -8,9 +8,9 @@
 #include "lanes.hpp"
 #include "membrane/fabric_laws.hpp"
 
-// Steps of the pass over a block for each element. T is Lanes, or double for the oracle. Both visit groups of
-// four elements, keep four partial sums, and add at the nodes in the order of the elements. So they agree bit
-// for bit.
+// Steps of the pass over a block, for each element. T is Lanes, or double for the oracle. Both visit groups
+// of four elements, keep four partial sums, and add at the nodes in the order of the elements, so they agree
+// bit for bit.
 namespace membrane::MEMBRANE_KERNELS {
 
 // Partial sums of a block: four numbers, in 4 / width variables.
@@ -57,7 +57,7 @@ struct Corners {
   Vec3<T> a, b, c;
 };
 
-// Area vectors and centroids (M.5) of the elements asked for.
+// Area vectors and centroids (M.5) of the requested elements.
 template <class T>
 void geometry(const GeometryArrays& s) {
   for (int first = 0; first < s.count; first += kWidth<T>) {
@@ -100,12 +100,13 @@ template <class T>
       add_row(nodes.sums[g.node[corner][lane + i]].gradient, rows.row[i]);
 }
 
-// Columns of the deformation gradient and strain (M.1) of the elements of a group; then their nominal stress.
+// Columns of the deformation gradient and strain (M.1) of the elements of a group; later their nominal
+// stress.
 struct alignas(64) GroupWork {
   double f1[3][kLanes], f2[3][kLanes];           // [-]
   double e11[kLanes], e22[kLanes], e12[kLanes];  // [-]
   double n11[kLanes], n22[kLanes], n12[kLanes];  // -(volume S) [J]
-  double notes[kMostNotes][kLanes];              // of the law's steps
+  double notes[kMostNotes][kLanes];              // notes of the law's steps
 };
 
 template <class T>
@@ -127,7 +128,7 @@ template <class T>
   store(work.e12 + lane, e.e12);
 }
 
-// Calls f(0), ..., f(count - 1), each number a type.
+// A number as a type, for calls f(0), ..., f(count - 1).
 template <int kNumber>
 struct Number {
   static constexpr int value = kNumber;
@@ -137,7 +138,7 @@ template <class F, int... kNumbers>
   (f(Number<kNumbers>{}), ...);
 }
 
-// Aggregates of numbers, such as a law's Constants and Notes, from rows of groups and to them.
+// Loads and stores aggregates of numbers, such as a law's Constants and Notes, from rows of groups.
 template <class Aggregate, class T, int... kRow>
 [[gnu::always_inline]] inline Aggregate load_rows(std::integer_sequence<int, kRow...>,
                                                   [[maybe_unused]] const double (*rows)[kLanes],
@@ -167,7 +168,7 @@ template <class T>
   return {load<T>(work.e11 + lane), load<T>(work.e22 + lane), load<T>(work.e12 + lane)};
 }
 
-// A step of the law before its response.
+// Does a step of the law before its response.
 template <class Law, int kStep, class T>
 [[gnu::always_inline]] inline void take_law_step(const FabricGroup& fabric, int lane, GroupWork& work) {
   store_row(Law::template step<kStep>(load_strain<T>(work, lane), load_constants<Law, T>(fabric, lane),

@@ -7,31 +7,31 @@
 #include "membrane/isa.hpp"
 
 // Interface between the library and its kernels, which are compiled once for each instruction set. Only plain
-// pointers cross it. So no inline code of the standard library or Eigen is compiled twice with different
-// flags. For the same reason no member has a default initialiser; the structs are made with {}.
+// pointers cross it, so no inline code of the standard library or Eigen is compiled with different flags. For
+// the same reason no member has a default initialiser; the structs are made with {}.
 namespace membrane {
 
 // One block of elements: fabric forces, surface, or both in one pass.
 struct SkinArrays {
   const ElementGroup* group;
   const FabricGroup* fabric;
-  const YarnCurves* curves;  // of laws by curves
+  const YarnCurves* curves;  // curves, for laws by curves
   const FrequencyGroup* frequency;
   int group_count;
-  const std::int32_t* node;  // of the block: own_count own nodes, then shared ones, node_count in all
+  const std::int32_t* node;  // nodes of the block: own_count own ones, then shared ones, node_count in total
   int own_count, node_count;
-  /// Of the next block; 0 if there is none, and in bags that stay in the cache.
+  /// Sizes of the next block; 0 if there is none, and in bags that fit the cache.
   int next_groups, next_nodes;
   const double* position;      // nodes x 4
   const double* inverse_mass;  // nodes x 4
   double *force, *gradient;    // nodes x 4
-  NodeSums* shared_sums;       // of this block's shared nodes
+  NodeSums* shared_sums;       // sums of this block's shared nodes
 };
 
 struct SkinTotals {
   double moment;  // sum of (x_a - x_0) . S_e = 3 V
   double area, porosity_area, porosity_squared_area;
-  double mobility;  // of the block's own nodes
+  double mobility;  // mobility of the block's own nodes
   double energy, frequency;
 };
 
@@ -39,8 +39,8 @@ struct SkinTotals {
 struct GeometryArrays {
   const double* position;          // nodes x 4
   const int* corners;              // nodes, 3 x elements
-  const int* elements;             // that are asked for; null: all
-  int count;                       // of these
+  const int* elements;             // requested elements; null: all
+  int count;                       // number of these
   double *area_vector, *centroid;  // elements x 4
 };
 
@@ -63,7 +63,7 @@ struct AdvanceArrays {
   int extra_count;
   const double* mass;                   // nodes
   const double* node_gradient_squared;  // nodes
-  double* rate_bound_squared;           // of each kRateNodes nodes
+  double* rate_bound_squared;           // for each kRateNodes nodes
   const double* inverse_mass;           // nodes x 4
   alignas(32) double gravity[4];
   double damping, dt_before, dt_after;
@@ -86,7 +86,7 @@ struct KernelTable {
   using Skin = void (*)(const SkinArrays&, SkinTotals&);
   Skin surface;
   struct OfLaw {
-    Skin compression[2];  // linear and none; linear is null where the law has none
+    Skin compression[2];  // linear and none; linear is null if the law has none
   };
   OfLaw forces[FabricLaws::count], skin[FabricLaws::count];
   void (*geometry)(const GeometryArrays&);

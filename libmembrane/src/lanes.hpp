@@ -3,11 +3,10 @@
 
 #include "membrane/element_group.hpp"
 
-// Four double lanes on the compiler's vector extension. They are always four, so that the order of every sum
+// Four double lanes on the compiler's vector extension. There are always four, so that the order of every sum
 // is the same on every instruction set. (The masks of std::experimental's fixed_size_simd<double, 4> are bit
-// sets; each blend is then a round trip through integer registers.) The type lives in the namespace of the
-// instruction set. So templates over it are different functions in each translation unit, and the linker
-// cannot exchange them.
+// sets, so that each blend passes through integer registers.) The type is in the namespace of its instruction
+// set: so templates over it differ between translation units, and the linker cannot mix them up.
 #if defined(__AVX__)
 #include "lanes_whole.hpp"
 #else

@@ -8,12 +8,12 @@
 
 namespace membrane {
 
-// What the library itself asks a law, outside the kernels.
+// Functions of a law that the library needs outside the kernels.
 struct LawFunctions {
   Weave (*stiffness)(const LawInput& fabric);
   // Writes the constants of one element.
   void (*write)(const LawInput& fabric, FabricGroup& group, std::size_t lane);
-  // Writes those of an element without stress.
+  // Writes the constants of an element without stress.
   void (*write_none)(FabricGroup& group, std::size_t lane);
   PlaneResponse<double> (*response)(Compression compression, const PlaneStrain<double>& strain,
                                     const FabricGroup& group, std::size_t lane, const YarnCurves& curves);

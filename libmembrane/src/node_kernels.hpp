@@ -11,15 +11,15 @@ struct AdvanceParts {
   Lanes kinetic_before{}, kinetic_after{}, membrane{}, pressure{}, extra[kMaxExtraForces]{}, damped{};
   Lanes momentum_before{}, momentum_after{}, impulse{};
   double max_speed_squared = 0.0;
-  double rate_bound_squared = 0.0;  // of the last kRateNodes nodes
+  double rate_bound_squared = 0.0;  // bound of the last kRateNodes nodes
 };
 
 struct KickFactors {
   Lanes tau, dt_after, old_share, new_factor, gravity, gauge_pressure;
 };
 
-// A coordinate below 1e-90 m is 0. A jet's load falls off as exp(-r^2), and would leave nodes of a symmetric
-// mesh at such places, whose products are no normal numbers.
+// Sets coordinates below 1e-90 m to 0. A jet's load falls off as exp(-r^2); without this, nodes of a
+// symmetric mesh would get tiny coordinates with slow, denormal products.
 [[gnu::always_inline]] inline Lanes without_traces(Lanes x) {
   return select(x * x < Lanes(1e-180), Lanes(), x);
 }

@@ -4,8 +4,8 @@
 #include "element_kernels.hpp"
 #include "node_kernels.hpp"
 
-// The pass over the elements of a block. It copies the block's positions in once, and the sums at its nodes
-// out once.
+// The pass over the elements of a block. It reads the block's positions once, and writes the sums at its
+// nodes once.
 namespace membrane::MEMBRANE_KERNELS {
 
 inline constexpr bool has_forces(SkinPass pass) {
@@ -25,7 +25,7 @@ void copy_in(const SkinArrays& s, BlockNodes& nodes) {
   }
 }
 
-// Force and gradient at one node, as far as the pass computes them.
+// Force and gradient at one node, if the pass computes them.
 template <SkinPass kPass>
 struct NodeRows {
   Lanes force{}, gradient{};
@@ -63,16 +63,15 @@ double copy_out(const SkinArrays& s, const BlockNodes& nodes) {
   return sum_lanes(mobility);
 }
 
-// Calls f(group, lane) for the elements of the groups [first, last), as many at a time as T holds.
+// Calls f(group, lane) for the elements of the groups [first, last), with one call for all lanes of T.
 template <class T, class F>
 [[gnu::always_inline]] inline void for_lanes(int first, int last, F&& f) {
   for (int group = first; group < last; ++group)
     for (int lane = 0; lane < kLanes; lane += kWidth<T>) f(group, lane);
 }
 
-// Prefetches the part of the next block that goes with the groups [first, last), so that it arrives while
-// this block is computed. Without it, the processor waits for the nodes of each block. Always inline: gcc
-// drops calls of a function that only prefetches.
+// Prefetches a part of the next block while the groups [first, last) are computed. Without it, the processor
+// waits for the nodes of each block. Always inline: gcc drops calls of a function that only prefetches.
 [[gnu::always_inline]] inline void fetch_next(const SkinArrays& s, int first, int last) {
   constexpr int kLine = 64, kForWriting = 1, kSecondLevel = 2;
   const auto part = [&](int count, int group) {
@@ -92,8 +91,8 @@ template <class T, class F>
   }
 }
 
-// Handles several groups at a time, step by step. The root and the quotient of the stress take long; a
-// processor cannot look ahead over a whole element, but over one step of several groups.
+// Handles several groups at a time, step by step, because the stress needs slow roots and quotients: a
+// processor can overlap one step of several groups, but not whole elements.
 template <SkinPass kPass, class Law, Compression kCompression, class T>
 void skin(const SkinArrays& s, SkinTotals& totals) {
   constexpr int kChunk = 8;
@@ -138,7 +137,7 @@ void skin(const SkinArrays& s, SkinTotals& totals) {
             max_parts(sums.frequency.value)};
 }
 
-// Sums the shared nodes [first, last) over the blocks that hold them.
+// Sums the shared nodes [first, last) over their blocks.
 template <SkinPass kPass>
 void shared(const SharedArrays& s, int first, int last, double& mobility) {
   Lanes sum{};

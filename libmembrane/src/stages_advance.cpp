@@ -12,7 +12,7 @@ namespace membrane {
 
 namespace {
 
-// Forces that only some scenes have, each with the term of its work in the energy balance.
+// Forces of some scenes only, each with its term of work in the energy balance.
 struct ExtraForce {
   const Vectors* force;
   double KickWork::*work;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S3: stiffness-proportional damping (M.28). Scenes without it never come here.
+// S3: stiffness-proportional damping (M.28). Scenes without it do not call this.
 #include <algorithm>
 
 #include "blocks.hpp"
@@ -10,7 +10,7 @@ namespace membrane {
 
 namespace {
 
-// Corner force b of element e is column 2 e, that of c is 2 e + 1; that of a is minus their sum.
+// The force at corner b of element e is column 2 e, at c column 2 e + 1; at a it is minus their sum.
 Eigen::Vector3d force_at(const BagModel& model, const BagState& state, int element, int node) {
   const auto force = state.viscous_corner_force.map();
   const auto corner = model.description.elements.col(element);

@@ -38,7 +38,7 @@ void spread(const BagModel& model, BagState& state, int element, double overpres
   }
 }
 
-// A jet loads few nodes, and only those are touched.
+// Clears only the loaded nodes, which are few.
 void clear(BagState& state) {
   if (state.jet_force.empty()) reject("jet_forces", "the state was made without LoadKinds::jet");
   for (const int node : state.jet_nodes) {
@@ -59,8 +59,7 @@ void pressure_forces(BagState& state, double gauge_pressure) {
   state.gauge_pressure = gauge_pressure;
 }
 
-// A jet loads a small part of the skin: the loaded elements spread their force, instead of every node asking
-// all its elements.
+// A jet loads a small part of the skin, so the loaded elements scatter their force to the nodes.
 void jet_forces(const BagModel& model, BagState& state, std::span<const JetLoad> loads) {
   check_state(model, state);
   clear(state);

@@ -23,8 +23,8 @@ Eigen::Matrix<double, 3, 2> strain_operator(const Eigen::Vector2d& g) {
   return b;
 }
 
-// Of a symmetric matrix. Newton's iteration falls from a bound to the largest root of t^3 - c t - d, which
-// the matrix less its mean eigenvalue has.
+// Largest eigenvalue of a symmetric matrix. Newton's iteration descends from a bound to the largest root of
+// t^3 - c t - d, the characteristic polynomial after subtraction of the mean eigenvalue.
 double greatest_eigenvalue(Eigen::Matrix3d a) {
   const double mean = a.trace() / 3.0;
   a.diagonal().array() -= mean;
@@ -36,7 +36,7 @@ double greatest_eigenvalue(Eigen::Matrix3d a) {
   }
 }
 
-// Greatest eigenvalue of h A L^T B M^-1 B^T L.
+// Largest eigenvalue of h A L^T B M^-1 B^T L.
 double material_frequency(const ElementStiffness& e, const Eigen::Vector3d& mass) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (int a = 0; a < 3; ++a) {
@@ -68,7 +68,7 @@ void update_frequency(const BagModel& m, MassShares& shares, int element) {
   shares.frequency[group].geometric[lane] = geometric_frequency(m.stiffness[e], shares.mass.col(element));
 }
 
-// Multiplies the shares of a node by what their elements demand, and scales them to its mass.
+// Multiplies the shares of a node by their elements' demands, and scales them to its mass.
 void share_out(const BagModel& m, std::span<const double> demand, int node, Eigen::Matrix3Xd& mass) {
   const auto elements = around(m, node);
   const auto share = [&](std::int32_t e) -> double& {
@@ -80,7 +80,7 @@ void share_out(const BagModel& m, std::span<const double> demand, int node, Eige
   for (const std::int32_t e : elements) share(e) *= m.node_mass[static_cast<std::size_t>(node)] / sum;
 }
 
-// Some element around the node asks for more of it.
+// True if an element around the node demands more.
 bool is_asked(const BagModel& m, std::span<const double> demand, int node) {
   return std::ranges::any_of(around(m, node),
                              [&](std::int32_t e) { return demand[static_cast<std::size_t>(e)] > 1.0; });
@@ -97,7 +97,7 @@ void for_elements(const BagModel& m, int block, F&& f) {
 }  // namespace
 
 void tune_shares_as_sewn(BagModel& m) {
-  constexpr int rounds = 20;  // the step gains less than 1 % from more
+  constexpr int rounds = 20;  // more rounds improve the step by less than 1 %
   m.shares.frequency.assign(m.elements.group.size(), FrequencyGroup{});
   std::vector<double> frequency(m.stiffness.size());
   for (int round = 0; round <= rounds; ++round) {
@@ -114,7 +114,7 @@ void tune_shares_as_sewn(BagModel& m) {
 
 void demand_block(const BagModel& model, BagState& state, int block) {
   constexpr double near =
-      0.9;  // to the largest bound: others keep what they have, for when they are stretched
+      0.9;  // ratio to the largest bound; elements below keep their shares for later stretching
   const double enough = near * state.forces.element_frequency;
   for_elements(model, block, [&](int e) {
     const double frequency = element_response(model, state, e).frequency;

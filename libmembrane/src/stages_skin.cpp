@@ -27,7 +27,7 @@ SkinPass pass_of(SkinParts parts) {
 SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
   const BlockTable& table = model.elements;
   const ElementBlock& block = table.block[b];
-  // Fetching pays from there on (measured).
+  // Prefetching pays above this size (measured).
   const bool fetch = model.element_count > kCachedElements && b + 1 < table.block.size();
   const ElementBlock next = fetch ? table.block[b + 1] : ElementBlock{};
   return {table.group.data() + block.first_group,
@@ -49,7 +49,7 @@ SkinArrays skin_arrays(const BagModel& model, BagState& state, std::size_t b) {
 
 KernelTable::Skin skin_kernel(const BagModel& model, SkinParts parts) {
   const KernelTable& table = kernel_table(model.description.isa);
-  pass_of(parts);  // refuses what is no enumerator
+  pass_of(parts);  // throws for an invalid value
   if (parts == SkinParts::surface) return table.surface;
   const auto& kernels = parts == SkinParts::forces ? table.forces : table.skin;
   return kernels[model.law].compression[model.description.compression == Compression::none ? 1 : 0];
@@ -67,8 +67,8 @@ int shared_count(const BagModel& model) {
   return static_cast<int>(model.shared.node.size());
 }
 
-// The volume is taken about the first node, (1/3) sum of (x_a - x_0) . S_e, so that it does not depend on
-// where the origin is; on a closed surface this is (1/6) sum of x_a . (x_b x x_c).
+// The volume is taken about the first node, (1/3) sum of (x_a - x_0) . S_e, so that it does not depend on the
+// origin. On a closed surface this is (1/6) sum of x_a . (x_b x x_c).
 void sum_surface(const BagModel& model, BagState& state) {
   SurfaceSums sums;
   double moment = 0.0;

@@ -137,7 +137,7 @@ double strap_mobility(const BagModel& model, const BagState& state) {
 }
 
 double bounce_time_step(const BagModel& model) {
-  constexpr double most = 2.0;  // (omega dt)^2 of straps and plates, which open and close many times
+  constexpr double most = 2.0;  // (omega dt)^2 of straps and plates that open and close many times
   const double frequency = model.strap_frequency + model.plate_frequency;
   return frequency > 0.0 ? std::sqrt(most / frequency) : std::numeric_limits<double>::infinity();
 }
@@ -146,8 +146,8 @@ double energy_time_step(const BagModel& model, const BagState& state, double ene
                         bool at_rest) {
   if (!(energy >= 0.0)) reject("energy_time_step", "energy", energy, ">= 0");
   if (!(mobility >= 0.0)) reject("energy_time_step", "mobility", mobility, ">= 0");
-  // Shares of the energy. One spring that opens and closes, and fabric that moves as a whole, drift by all of
-  // it; the waves of fabric without compression are many, and what one gains another loses.
+  // Shares of the energy. A single spring that opens and closes, and fabric that moves as a whole, drift by
+  // the full error; the many waves of fabric without compression partly cancel each other's errors.
   constexpr double share_together = 1e-4, share_apart = 1.4e-3;
   const bool together = at_rest || model.description.compression == Compression::linear;
   const double rate =

@@ -17,11 +17,11 @@
 
 namespace membrane {
 
-/// Default of members that must be given: make_model refuses it by name.
+/// Default of members that must be given: make_model throws and names the member.
 inline constexpr double kMustBeGiven = std::numeric_limits<double>::quiet_NaN();
 
-/// Makes the fabric of an element orthotropic. `young_modulus` and `poisson` of the element are then those
-/// along the warp: in tension along the warp the fabric contracts across by poisson. Needs poisson^2 < 0.998
+/// Makes the fabric of an element orthotropic. `young_modulus` and `poisson` of the element then belong to
+/// the warp: in tension along the warp the fabric contracts across by poisson. Needs poisson^2 < 0.998
 /// young_modulus / young_modulus_weft.
 struct WeaveProperties {
   double young_modulus_weft = kMustBeGiven;  // > 0 [Pa]
@@ -32,15 +32,15 @@ struct WeaveProperties {
   Eigen::Vector3d warp = Eigen::Vector3d::Constant(kMustBeGiven);
 };
 
-/// Measured curve of a strip along the warp or the weft: nominal stress [Pa], force over the width and
-/// thickness as sewn, over strain [-], stretch less 1. 2 to 64 points, the first (0, 0), both rising.
+/// Measured curve of a strip along the warp or the weft: nominal stress [Pa] (force per width and thickness
+/// as sewn) over strain [-] (stretch minus 1). 2 to 64 points, the first (0, 0), both rising.
 struct StressCurve {
-  std::vector<double> strain;  // [-] of each point
-  std::vector<double> stress;  // [Pa] of each point
+  std::vector<double> strain;  // [-] strain of each point
+  std::vector<double> stress;  // [Pa] stress of each point
 };
 
 /// Fabric of one element. A null element closes a hole: it bounds the volume and carries the gas pressure,
-/// but has no mass and no stress. Its thickness, density, young_modulus and poisson are not read, and its
+/// but has no mass and no stress. Its thickness, density, young_modulus and poisson are not used, and its
 /// porosity must be 0.
 struct ElementProperties {
   double thickness = kMustBeGiven;            // h > 0 [m]
@@ -49,7 +49,7 @@ struct ElementProperties {
   double poisson = kMustBeGiven;              // -1 < nu < 1 [-]
   double porosity = 0.0;                      // eta, 0 to 1 [-]
   bool null_panel = false;                    // true: null element
-  std::optional<WeaveProperties> weave = {};  // none: isotropic
+  std::optional<WeaveProperties> weave = {};  // empty: isotropic
   std::vector<double> law_constants = {};     // one for each of LawTraits::own of the bag's law
 };
 
@@ -66,12 +66,12 @@ struct Strap {
 struct Plate {
   Eigen::Vector3d point = Eigen::Vector3d::Constant(kMustBeGiven);   // on the plane [m]
   Eigen::Vector3d normal = Eigen::Vector3d::Constant(kMustBeGiven);  // [-] towards the bag, any length > 0
-  /// kappa > 0, per area [N/m3]. None: the stiffness whose omega^2 is kDefaultPlateShare of the fabric's.
+  /// kappa > 0, per area [N/m3]. Empty: the stiffness whose omega^2 is kDefaultPlateShare of the fabric's.
   std::optional<double> stiffness = {};
 };
 
-/// Default share [-] of the fabric's omega^2 that a plate adds. It is stiff, and shortens the step by a
-/// tenth.
+/// Default share [-] of the fabric's omega^2 that a plate adds. Such a plate is stiff, yet shortens the step
+/// by only a tenth.
 inline constexpr double kDefaultPlateShare = 0.25;
 
 /// Input of make_model: everything that defines a bag.
@@ -79,13 +79,14 @@ struct BagDescription {
   Eigen::Matrix3Xd reference{};                 // stress-free positions, 3 x nodes [m]
   Eigen::Matrix3Xi elements{};                  // corner nodes, 3 x elements, oriented outward
   std::vector<ElementProperties> properties{};  // one per element
-  Compression compression = Compression::none;  // of all fabric
-  /// Of all fabric: a name of law_names(). "hencky" needs Compression::none and has no weave. "curve" needs
-  /// Compression::none and a weave of each fabric, whose shear and warp it takes; moduli are not read.
+  Compression compression = Compression::none;  // compression law of all fabric
+  /// Law of all fabric, a name of law_names(). "hencky" needs Compression::none and has no weave. "curve"
+  /// needs Compression::none and a weave of each fabric; it uses the weave's shear and warp, but no moduli.
   std::string law = "saint_venant_kirchhoff";
-  std::array<StressCurve, 2> curves{};  // of warp and weft, of laws by curves alone
+  std::array<StressCurve, 2> curves{};  // curves of warp and weft, for laws by curves
   std::vector<int> fixed_nodes{};       // nodes that never move; any order, repeats allowed
-  /// Nodes that never move along x, along y and along z: rollers, and planes of symmetry. As above.
+  /// Nodes that never move along x, along y and along z: rollers, and planes of symmetry. Order and repeats
+  /// as above.
   std::array<std::vector<int>, 3> held_nodes{};
   std::vector<Strap> straps{};                        // may be empty
   std::vector<Plate> plates{};                        // may be empty
@@ -95,15 +96,15 @@ struct BagDescription {
   Isa isa = best_isa();                               // kernels to use; all give the same bits
 };
 
-/// The elements in the order of the kernels: compact patches of neighbours, whatever the mesh's numbering.
-/// Each patch is padded to whole groups by elements without effect. All other arrays keep the mesh's numbers.
+/// The elements in the order of the kernels: compact patches of neighbours, for any numbering of the mesh.
+/// Elements without effect fill up each patch to whole groups. All other arrays keep the mesh's numbers.
 struct BlockTable {
   AlignedVector<ElementGroup> group;  // kLanes elements each
   AlignedVector<FabricGroup> fabric;  // each fabric once; ElementGroup::fabric points here
-  std::vector<std::int32_t> element;  // of each lane of each group; -1 for padding
-  std::vector<std::int32_t> place;    // of each element: kLanes * group + lane
-  std::vector<ElementBlock> block;    // in the order in which their sums are added
-  std::vector<std::int32_t> node;     // of each block: own nodes, then shared ones, both ascending
+  std::vector<std::int32_t> element;  // element of each lane of each group; -1 for padding
+  std::vector<std::int32_t> place;    // place of each element: kLanes * group + lane
+  std::vector<ElementBlock> block;    // blocks in the order in which their sums are added
+  std::vector<std::int32_t> node;     // nodes of each block: own ones, then shared ones, both ascending
 
   /// Fabric of group g.
   const FabricGroup& fabric_of(std::size_t g) const {
@@ -111,8 +112,8 @@ struct BlockTable {
   }
 };
 
-/// Nodes that several blocks share, ascending, with the slots of their partial sums in block order
-/// (compressed rows).
+/// Nodes that several blocks share, ascending, with the slots of their partial sums in the order of the
+/// blocks (compressed rows).
 struct SharedNodes {
   std::vector<std::int32_t> node;       // their numbers in the mesh
   std::vector<std::int32_t> row_begin;  // [shared nodes + 1]
@@ -129,29 +130,30 @@ struct CornerTable {
 struct BagModel {
   int node_count = 0;     // N
   int element_count = 0;  // M, null elements included
-  /// Place in FabricLaws: the law for woven fabric if any element has a weave, else that for isotropic.
+  /// Place in FabricLaws: the law for woven fabric if any element has a weave, otherwise the law for
+  /// isotropic fabric.
   int law = 0;
   BagDescription description;     // as given and checked; plates with unit normal and stiffness
   BlockTable elements;            // in the order of the kernels
-  YarnCurves yarns{};             // of laws by curves
+  YarnCurves yarns{};             // curves, for laws by curves
   SharedNodes shared;             // nodes that blocks share
   CornerTable corners;            // elements around each node
   std::vector<double> node_mass;  // [kg] sum of rho h A / 3
   Vectors inverse_mass;           // [1/kg] 1 / mass, nodes, 0 along directions that are held
-  /// [m2] Reference area of the fabric around each node, sum of A / 3.
+  /// [m2] reference area of the fabric around each node, sum of A / 3.
   std::vector<double> node_area;
-  std::vector<double> reference_area;       // [m2] of each element
-  std::vector<ElementStiffness> stiffness;  // of each element
+  std::vector<double> reference_area;       // [m2] reference area of each element
+  std::vector<ElementStiffness> stiffness;  // stiffness of each element
   MassShares shares;                        // tuned to the reference shape
-  /// [1/s2] Largest bound of omega^2 of an element in the reference shape.
+  /// [1/s2] largest bound of omega^2 of an element in the reference shape.
   double fabric_frequency = 0.0;
-  /// [1/s2] Bound of omega^2 that the straps add, taut or not.
+  /// [1/s2] bound of omega^2 that the straps add, taut or not.
   double strap_frequency = 0.0;
-  /// [1/s2] Bound of omega^2 that the plates add, touched or not.
+  /// [1/s2] bound of omega^2 that the plates add, touched or not.
   double plate_frequency = 0.0;
   double fabric_mass = 0.0;              // [kg]
   std::vector<double> gradient_squared;  // [1/m2] sum of |grad N_a|^2 of each element, 0 of null ones
-  /// [1/m2] Three times that of the elements around each node, the largest.
+  /// [1/m2] for each node: three times the largest gradient_squared of the elements around it.
   std::vector<double> node_gradient_squared;
 };
 
@@ -163,7 +165,7 @@ bool has_area(const Eigen::Vector3d& ab, const Eigen::Vector3d& ac);
 /// value and what is allowed, for
 /// - sizes that differ, numbers that are not finite, and values outside the ranges above,
 /// - node numbers that are out of range, or repeated in an element or strap,
-/// - an element without area and a node without element,
+/// - an element without area, or a node without an element,
 /// - a null panel with a node that no fabric holds.
 ///
 /// Open surfaces are legal membranes; mesh/surface_check.hpp checks whether a surface is closed.

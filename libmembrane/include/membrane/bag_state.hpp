@@ -9,8 +9,8 @@
 
 namespace membrane {
 
-/// Nodes of one block in S8 and the loads. Sums are made per block and then over the blocks in order. So
-/// their bits do not depend on the thread that handles a block.
+/// Nodes of one block in S8 and in the loads. Sums are taken per block and then over the blocks in order, so
+/// their bits do not depend on threads.
 inline constexpr int kNodeBlock = 512;
 
 /// S1/S9: sums over the surface.
@@ -31,50 +31,50 @@ struct ForceSums {
   double element_frequency = 0.0;                         // largest element bound of omega^2 (M.10) [1/s2]
 };
 
-/// S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (K.20). The sum of all is
-/// kinetic_after - kinetic_before to round-off, whatever the forces and steps.
+/// S8: work of each force over one kick, tau f . (v- + v+) / 2 [J] (K.20). Their total is kinetic_after -
+/// kinetic_before to round-off, for any forces and steps.
 struct KickWork {
-  double membrane = 0.0;  // of the fabric's stress
-  double pressure = 0.0;  // of the gas pressure
-  double jet = 0.0;       // of the jets' overpressure
-  double support = 0.0;   // of straps and plates
-  double contact = 0.0;   // of contact_force
-  double gravity = 0.0;   // of the weight
-  double damping = 0.0;   // of both dampings
+  double membrane = 0.0;  // work of the fabric's stress
+  double pressure = 0.0;  // work of the gas pressure
+  double jet = 0.0;       // work of the jets' overpressure
+  double support = 0.0;   // work of straps and plates
+  double contact = 0.0;   // work of contact_force
+  double gravity = 0.0;   // work of the weight
+  double damping = 0.0;   // work of both dampings
   /// Sum of all [J].
   double total() const { return membrane + pressure + jet + support + contact + gravity + damping; }
 };
 
 /// S8: results of one step.
 struct AdvanceSums {
-  KickWork work;                // of each force
-  double kinetic_before = 0.0;  // of v at n-1/2 [J]
-  double kinetic_after = 0.0;   // of v at n+1/2 [J]
-  /// Sum of m v- . v+ / 2 [J]. A linear system conserves its sum with the strain energy.
+  KickWork work;                // work of each force
+  double kinetic_before = 0.0;  // kinetic energy at n-1/2 [J]
+  double kinetic_after = 0.0;   // kinetic energy at n+1/2 [J]
+  /// Sum of m v- . v+ / 2 [J]. A linear system conserves this plus the strain energy.
   double kinetic_product = 0.0;
   Eigen::Vector3d momentum_before = Eigen::Vector3d::Zero();  // [kg m/s]
   Eigen::Vector3d momentum_after = Eigen::Vector3d::Zero();   // [kg m/s]
-  /// tau * force on the free nodes, damping left out [N s].
+  /// tau * force on the free nodes, without damping [N s].
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();
   double max_speed_squared = 0.0;  // largest |v|^2 at n+1/2 [m2/s2]
 };
 
 /// Partial sums of one block; workspace of the stages.
 struct BlockSums {
-  /// Of a block of elements. `volume` is still three times the volume.
+  /// Sums of a block of elements. `volume` is still three times the volume.
   SurfaceSums surface;
-  ForceSums forces;  // fabric: of a block of elements; plates: of nodes
+  ForceSums forces;  // fabric: sums of a block of elements; plates: of a block of nodes
   /// Part of gradient_mobility from a block of shared nodes [m4/kg].
   double shared_mobility = 0.0;
-  AdvanceSums advance;  // of a block of nodes
+  AdvanceSums advance;  // sums of a block of nodes
 };
 
-/// State of a bag: all that changes during a run. Each array has one writer, named on its line. make_state
-/// allocates everything. Arrays of Vectors are padded to 4 doubles a column.
+/// State of a bag: everything that changes during a run. Each array has one writer, named on its line.
+/// make_state allocates everything. Arrays of Vectors are padded to 4 doubles a column.
 struct BagState {
   Vectors position;  // x at n [m], nodes; S8
   Vectors velocity;  // v at n-1/2 [m/s], nodes, 0 at fixed ones; S8
-  /// Largest |v|^2 times BagModel::node_gradient_squared [1/s2] of each 16 nodes, 0 at the start; S8.
+  /// For each 16 nodes, the largest |v|^2 times BagModel::node_gradient_squared [1/s2]; 0 at the start; S8.
   std::vector<double> rate_bound_squared;
   /// Of elements; empty without jet; S6 update_geometry, of the elements that it is asked for.
   Vectors area_vector;      // S_e, outward, length = area [m2]
@@ -82,20 +82,22 @@ struct BagState {
   Vectors volume_gradient;  // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
   /// p - p_a [Pa]; S8 takes gauge_pressure * volume_gradient as the nodal force; S3 pressure_forces.
   double gauge_pressure = 0.0;
-  Vectors membrane_force;           // [N], nodes; S3 membrane_forces
-  Vectors jet_force;                // [N], nodes; empty without jet; S3 jet_forces
-  std::vector<int> jet_nodes;       // where jet_force is not zero; S3 jet_forces
-  std::vector<char> has_jet_force;  // of each node: is one of them; S3 jet_forces
-  Vectors support_force;            // of straps and plates [N], nodes; empty without them; S3 support_forces
+  Vectors membrane_force;             // [N], nodes; S3 membrane_forces
+  Vectors jet_force;                  // [N], nodes; empty without jet; S3 jet_forces
+  std::vector<int> jet_nodes;         // nodes with a jet_force that is not zero; S3 jet_forces
+  std::vector<char> has_jet_force;    // for each node, whether it is one of jet_nodes; S3 jet_forces
+  Vectors support_force;              // force of straps and plates [N], nodes; empty without them; S3
+                                      // support_forces
   std::vector<double> strap_tension;  // [N], straps; S3 support_forces
-  /// Of the stiffness-proportional damping [N], nodes; empty without it, as the next two; S3 viscous_forces.
+  /// Force of the stiffness-proportional damping [N], nodes. This and the next two are empty without it; S3
+  /// viscous_forces.
   Vectors viscous_force;
   Vectors elastic_stress;        // (S11, S22, S12) at the last evaluation [Pa], elements; S3 viscous_forces
   Vectors viscous_corner_force;  // workspace: at corners b and c [N], 2 x elements
   Vectors contact_force;         // [N], nodes; empty without contact; S4, the caller
   /// Workspace of S3 and S9: partial sums of each block at its shared nodes.
   AlignedVector<NodeSums> shared_sums;
-  /// Shares of the nodes' mass; they start as in the model; update_mass_shares.
+  /// Shares of the nodes' mass, at first those of the model; update_mass_shares.
   MassShares shares;
   std::vector<double> share_demand;  // elements; workspace of update_mass_shares
   std::vector<BlockSums> block;      // workspace of the block sums
@@ -115,8 +117,7 @@ struct LoadKinds {
 BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds loads = {});
 
 /// Throws std::invalid_argument unless the arrays have the sizes that make_state gives them for this model.
-/// The stages call it: a state of a model of other sizes, or one that was not made, is refused. Two models of
-/// the same sizes are not told apart.
+/// The stages call it. It does not distinguish models of equal sizes.
 void check_state(const BagModel& model, const BagState& state);
 
 }  // namespace membrane

@@ -5,8 +5,8 @@
 
 namespace membrane {
 
-/// The computation left the domain of the model at run time: motion that is not finite, or no volume where
-/// gas needs one. Wrong input is reported as std::invalid_argument instead.
+/// The computation left the domain of the model at run time: motion is not finite, or the gas has no volume.
+/// Wrong input is reported as std::invalid_argument instead.
 class MembraneError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

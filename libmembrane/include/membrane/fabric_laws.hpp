@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All fabric laws. A law is one header beside this one; it is known everywhere once it stands in the list.
+// All fabric laws. Each law is one header beside this one. The rest of the program knows it from this list.
 #pragma once
 
 #include "membrane/hencky.hpp"
@@ -12,14 +12,14 @@ namespace membrane {
 /// A list of types.
 template <class... Law>
 struct LawList {
-  /// How many.
+  /// Number of types.
   static constexpr int count = sizeof...(Law);
 };
 
-/// The laws; LawDefaults says what each has.
+/// The laws; for their members see LawDefaults.
 using FabricLaws = LawList<Isotropic, Orthotropic, Hencky, Yarns>;
 
-/// Numbers that an aggregate of numbers holds, such as a law's Constants or Notes.
+/// Number of members of an aggregate of numbers, such as a law's Constants or Notes.
 template <template <class> class Numbers>
 inline constexpr int kNumbersIn = static_cast<int>(sizeof(Numbers<double>) / sizeof(double));
 
@@ -31,19 +31,19 @@ constexpr int greatest() {
   for (const int count : counts) most = count > most ? count : most;
   return most;
 }
-/// Most constants of a law of the list.
+/// Largest number of constants of a law in the list.
 template <class... Law>
 constexpr int most_constants(LawList<Law...>) {
   return greatest<kNumbersIn<Law::template Constants>...>();
 }
-/// Most notes of a law of the list.
+/// Largest number of notes of a law in the list.
 template <class... Law>
 constexpr int most_notes(LawList<Law...>) {
   return greatest<kNumbersIn<Law::template Notes>...>();
 }
-/// Rooms for constants.
+/// Room for constants.
 inline constexpr int kMostConstants = most_constants(FabricLaws{});
-/// Rooms for notes.
+/// Room for notes.
 inline constexpr int kMostNotes = most_notes(FabricLaws{});
 
 }  // namespace membrane

@@ -34,13 +34,13 @@ inline constexpr double kHenckyStrainLimit = 0.5 * (kEuler - 1.0);
 /// Logarithmic strain of a fabric, and the square of its largest stretch.
 template <class T>
 struct HenckyStrain {
-  T strain_1;  // [-] ln(lambda_1), 0 if that is negative
-  T radius;    // [-] ln(lambda_1 / lambda_2) / 2, less where the fabric is far from taut
-  T square_1;  // [-] lambda_1^2, 1 if that is less
+  T strain_1;  // [-] max(ln(lambda_1), 0)
+  T radius;    // [-] ln(lambda_1 / lambda_2) / 2, smaller if the fabric is far from taut
+  T square_1;  // [-] max(lambda_1^2, 1)
 };
 
-/// State of the law: that of the fabric itself where it is taut, else of the narrowest shape that carries no
-/// compression (M.26). Its two stretches are e^(m + r) and e^(m - r).
+/// State of the law: of the fabric itself if it is taut, otherwise of the narrowest shape without compression
+/// (M.26). Its two stretches are e^(m + r) and e^(m - r).
 template <class T>
 struct HenckyState {
   T mean;    // m [-]
@@ -48,8 +48,8 @@ struct HenckyState {
   T taut;    // 1, or 0 if wrinkled or slack
 };
 
-/// atanh(y) for |y| <= (e - 1) / (e + 1), to 4e-17 of it before rounding: y + y z P(z) with z = y^2 and P the
-/// Chebyshev interpolation with 12 terms.
+/// atanh(y) for |y| <= (e - 1) / (e + 1), with a relative error of 4e-17 before rounding: y + y z P(z), where
+/// z = y^2 and P is the Chebyshev interpolation with 12 terms.
 template <class T>
 [[gnu::always_inline]] inline T atanh_series(T y) {
   const T z = y * y, z2 = z * z, z4 = z2 * z2;
@@ -63,8 +63,8 @@ template <class T>
 }
 
 /// Logarithmic strain from the mean and the radius of the Green-Lagrange strain: ln(lambda) is
-/// atanh((lambda^2 - 1) / (lambda^2 + 1)). Squares of stretches are cut at 1/e, where the fabric has long
-/// been wrinkled or slack, and at e.
+/// atanh((lambda^2 - 1) / (lambda^2 + 1)). Squares of stretches are limited to 1/e (there the fabric has long
+/// been wrinkled or slack) and e.
 template <class T>
 [[gnu::always_inline]] inline HenckyStrain<T> hencky_strain(T mean, T radius) {
   const T lowest(1.0 / kEuler - 1.0), highest(kEuler - 1.0), zero(0.0), two(2.0);
@@ -79,7 +79,7 @@ template <class T>
   return {strain_1, T(0.5) * (strain_1 - strain_2), T(1.0) + growth_1};
 }
 
-/// State of the law (M.26): taut if the radius is below that of tension along one axis,
+/// State of the law (M.26): taut if the radius is below its value in tension along one axis,
 /// r = (1 - sqrt(1 - (1 - nu^2) ln(lambda_1))) / (1 - nu).
 template <class T>
 [[gnu::always_inline]] inline HenckyState<T> hencky_state(const HenckyStrain<T>& e,
@@ -92,8 +92,8 @@ template <class T>
   return {e.strain_1 - r, r, select(is_taut, one, T(0.0))};
 }
 
-/// Stress, energy and principal values (M.25) at the Green-Lagrange strain `e`, whose mean and radius are
-/// `mean` and `radius`, with the state from the functions above.
+/// Stress, energy and principal values (M.25) at the Green-Lagrange strain `e` with `mean` and `radius`, and
+/// the state from the functions above.
 template <class T>
 [[gnu::always_inline]] inline PlaneResponse<T> hencky_stress(const PlaneStrain<T>& e, T mean, T radius,
                                                              T square_1, const HenckyState<T>& h,
@@ -107,7 +107,7 @@ template <class T>
   const T q = (one + T(0.4615115501475625185) * w) +
               (T(0.02329806390757027209) + T(0.0002067735282493054803) * w) * w2;
   const T above = q + p, below = q - p;
-  // The smallest normal number avoids 0/0 (no direction is principal) and changes no other quotient.
+  // The smallest normal number avoids 0/0 (if no direction is principal) and changes no other quotient.
   const T safe_radius = radius + T(std::numeric_limits<double>::min());
   const T product = square_1 * safe_radius;
   const T inverse = one / ((above * below) * product);
@@ -122,7 +122,7 @@ template <class T>
   const T a = half * (stress_1 + stress_2);
   const T b = half * ((stress_1 - stress_2) * ((above * below) * (square_1 * inverse)));
 
-  // (M.27): how much of the stiffness at rest the tangent has, beyond the largest stress.
+  // (M.27): tangent over stiffness at rest, apart from the largest stress.
   const T largest = select(stress_1 > stress_2, stress_1, stress_2);
   const T plane = half * (c.spherical + c.deviator);
   const T excess = (h.taut * c.compliance) * ((middle - plane) + across * (plane - shift) - largest);
@@ -153,22 +153,22 @@ PlaneResponse<T> hencky_response(const PlaneStrain<T>& e, const HenckyConstants<
 
 /// The law of Cauchy stress linear in logarithmic strain. Its steps are the functions above.
 struct Hencky : LawDefaults {
-  /// What it is for.
+  /// Traits of the law.
   static constexpr LawTraits traits{
       .name = "hencky", .end = "is stretched by more than exp(1/2) = 1.65, where the Hencky law ends"};
-  /// In the form that the kernels use.
+  /// Constants in the form that the kernels use.
   template <class T>
   using Constants = HenckyConstants<T>;
 
-  /// Strain, then state.
+  /// The steps: strain, then state.
   static constexpr int kSteps = 2;
-  /// None, then those of the strain.
+  /// Notes before each step: none, then those of the strain.
   static constexpr int kNotesBefore[] = {0, 5};
-  /// What the steps leave.
+  /// Notes of the steps.
   template <class T>
   struct Notes {
-    T mean;          // of the Green-Lagrange strain [-]
-    T radius;        // of the same [-]
+    T mean;          // mean of the Green-Lagrange strain [-]
+    T radius;        // radius of the same [-]
     T strain_1;      // of HenckyStrain
     T log_radius;    // of HenckyStrain
     T square_1;      // of HenckyStrain
@@ -177,7 +177,7 @@ struct Hencky : LawDefaults {
     T taut;          // of HenckyState
   };
 
-  /// Of one element.
+  /// Constants of one element.
   static Constants<double> constants(const LawInput& fabric) {
     return hencky_constants(fabric.moduli.young_modulus_warp, fabric.moduli.poisson);
   }
@@ -195,7 +195,7 @@ struct Hencky : LawDefaults {
       return Row<T, 3>{{h.mean, h.radius, h.taut}};
     }
   }
-  /// At a point.
+  /// Response at a point.
   template <Compression kCompression, class T>
   [[gnu::always_inline]] static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c,
                                                           const Notes<T>& n, const YarnCurves&) {

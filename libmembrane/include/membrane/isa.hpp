@@ -4,8 +4,8 @@
 namespace membrane {
 
 /// Instruction sets that the kernels are compiled for. All three give the same bits: they use the same lanes
-/// and the same order of operations, without contraction. `scalar` is the same source with one lane; it is
-/// the oracle.
+/// and the same order of operations, without contraction. `scalar` is the same source with one lane, the
+/// oracle of the tests.
 enum class Isa { scalar, baseline, avx2 };
 
 /// The fastest instruction set that this processor has.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fabric law says of itself, and what it is told of a fabric. Plain data only: the kernels include
-// this.
+// Members of a fabric law, and its input. Plain data only, because the kernels include this.
 #pragma once
 
 namespace membrane {
@@ -17,55 +16,55 @@ struct Weave {
   double shear;               // G [Pa] > 0
 };
 
-/// Everything that a law makes its constants from: the fabric of one element, checked.
+/// Input for a law's constants: the checked fabric of one element.
 struct LawInput {
-  Weave moduli;              // of isotropic fabric the same along warp and weft; not of laws by curves
-  double cosine;             // [-] of twice the angle from the element's first axis to the warp
-  double sine;               // [-] of the same angle
-  const YarnCurves* curves;  // of the bag, of laws by curves
-  const double* own;         // one for each of LawTraits::own
+  Weave moduli;              // for isotropic fabric equal along warp and weft; not used by laws by curves
+  double cosine;             // [-] cosine of twice the angle from the element's first axis to the warp
+  double sine;               // [-] sine of the same angle
+  const YarnCurves* curves;  // the bag's curves, for laws by curves
+  const double* own;         // values, one for each of LawTraits::own
 };
 
-/// A constant that one law alone reads. It is a key of [fabric] in case files.
+/// A constant that only one law uses. It is a key of [fabric] in case files.
 struct LawConstant {
-  const char* name;  // of the key
-  const char* unit;  // empty: a pure number
-  double least;      // allowed from here
-  double most;       // to here
+  const char* name;  // name of the key
+  const char* unit;  // unit; empty for a pure number
+  double least;      // lower bound
+  double most;       // upper bound
 };
 
-/// What a law is for. A law for isotropic and for woven fabric is two of one name.
+/// Use of a law. A law for both isotropic and woven fabric is two laws of one name.
 struct LawTraits {
-  const char* name;                  // in case files, and of BagDescription::law
-  bool woven = false;                // for woven fabric; else for isotropic fabric
-  bool compression = false;          // may carry compression; else Compression::none alone
-  bool curves = false;               // reads curves, and no moduli but the shear
-  const char* end = nullptr;         // what happened to an element past the end of the law; null: no end
-  const LawConstant* own = nullptr;  // the constants that are the law's own
-  int own_count = 0;                 // how many
+  const char* name;                  // name in case files and in BagDescription::law
+  bool woven = false;                // true: for woven fabric; false: for isotropic fabric
+  bool compression = false;          // true: may carry compression; false: Compression::none only
+  bool curves = false;               // uses curves, and of the moduli only the shear
+  const char* end = nullptr;         // message about an element beyond the end of the law; null: it has no
+                                     // end
+  const LawConstant* own = nullptr;  // the law's own constants
+  int own_count = 0;                 // number of these constants
 };
 
 /// Some numbers.
 template <class T, int kCount>
 struct Row {
-  T value[kCount];  // in their order
+  T value[kCount];  // the numbers in order
 };
 
-/// What a law says if it says nothing else. A law derives from it and has these members, where T is a number
-/// or a SIMD lane type:
+/// Defaults of a law. A law derives from this and has these members, where T is a number or a SIMD lane type:
 /// - `traits`: its LawTraits;
-/// - `Constants`, of T: an aggregate of numbers T; {} is that of an element without stress;
+/// - `Constants`, of T: an aggregate of numbers T; {} gives an element without stress;
 /// - `constants(fabric)`: the Constants of a LawInput;
-/// - `response(strain, constants, notes, curves)`, of the Compression and of T: the PlaneResponse.
+/// - `response(strain, constants, notes, curves)`, of Compression and T: the PlaneResponse.
 struct LawDefaults {
-  /// Bounds the stiffness of the taut fabric (M.10): the critical step rests on it. The rest of the bound is
-  /// PlaneResponse::tangent_factor.
+  /// Bound of the taut fabric's stiffness (M.10), from which the critical step follows. The rest of the bound
+  /// is PlaneResponse::tangent_factor.
   static Weave stiffness(const LawInput& fabric) { return fabric.moduli; }
-  /// Steps before the response, for formulas whose roots and quotients take long: the kernels do each step
-  /// for several groups of elements. `step<K>(strain, constants, notes)` returns Row<T, n>, the notes that it
-  /// adds from kNotesBefore[K] on.
+  /// Steps before the response, for formulas with slow roots and quotients: the kernels do each step for
+  /// several groups of elements. `step<K>(strain, constants, notes)` returns Row<T, n>, the notes that it
+  /// adds at kNotesBefore[K].
   static constexpr int kSteps = 0;
-  /// An aggregate of numbers T: what the steps leave for the next and for the response.
+  /// An aggregate of numbers T: results of the steps for later steps and the response.
   template <class T>
   struct Notes {};
 };

@@ -8,8 +8,8 @@
 
 namespace membrane {
 
-/// Compression law of the fabric. `linear` carries compression like any solid. `none` wrinkles or goes slack
-/// instead (relaxed energy, M.3).
+/// Compression law of the fabric. With `linear` it carries compression like any solid; with `none` it
+/// wrinkles or goes slack instead (relaxed energy, M.3).
 enum class Compression { linear, none };
 
 /// Green-Lagrange strain in an orthonormal frame of the reference plane (M.1); e12 is the tensor component.
@@ -37,8 +37,8 @@ struct PlaneResponse {
   T energy_density;  // [J/m3 of the reference volume]
   T stress_1;        // [Pa] largest principal second Piola-Kirchhoff stress
   T strain_1;        // [-] largest principal Green-Lagrange strain
-  /// [-] The tangent is at most this many times the stiffness at rest, plus the geometric stiffness of
-  /// stress_1 (M.10).
+  /// [-] the tangent is at most the stiffness at rest times this, plus the geometric stiffness of stress_1
+  /// (M.10).
   T tangent_factor;
 };
 
@@ -78,9 +78,9 @@ PlaneStrain<T> green_lagrange_strain(const T (&f1)[3], const T (&f2)[3]) {
 ///   wrinkled (S_2 would be < 0) a = E E_1 / 2,       b = E E_1 / (2 r)
 ///   slack (E_1 <= 0)           a = b = 0
 ///
-/// Wrinkled and slack are one branch, because E_1 is cut at zero. The energy is C1 over all borders and the
-/// stress is continuous. The relaxed energy is the minimum of the taut one over all added wrinkle strains
-/// (Pipkin 1986, IMA J. Appl. Math. 36, 85-99). So its tangent is never above the taut one.
+/// Wrinkled and slack are one branch, because E_1 is limited to zero or more. The energy is C1 across all
+/// borders and the stress is continuous. The relaxed energy is the minimum of the taut energy over all added
+/// wrinkle strains (Pipkin 1986, IMA J. Appl. Math. 36, 85-99), so its tangent is never above the taut one.
 template <Compression kCompression, class T>
 PlaneResponse<T> isotropic_response(const PlaneStrain<T>& e, const IsotropicConstants<T>& c) {
   using std::sqrt;
@@ -116,17 +116,17 @@ inline PlaneResponse<double> isotropic_response(Compression compression, const P
 
 /// The law of stress linear in Green-Lagrange strain (M.2, M.3), of isotropic fabric.
 struct Isotropic : LawDefaults {
-  /// What it is for.
+  /// Traits of the law.
   static constexpr LawTraits traits{.name = "saint_venant_kirchhoff", .compression = true};
-  /// In the form that the kernels use.
+  /// Constants in the form that the kernels use.
   template <class T>
   using Constants = IsotropicConstants<T>;
 
-  /// Of one element.
+  /// Constants of one element.
   static Constants<double> constants(const LawInput& fabric) {
     return isotropic_constants(fabric.moduli.young_modulus_warp, fabric.moduli.poisson);
   }
-  /// At a point.
+  /// Response at a point.
   template <Compression kCompression, class T>
   static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c, const Notes<T>&,
                                    const YarnCurves&) {

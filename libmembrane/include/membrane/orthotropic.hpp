@@ -10,19 +10,19 @@
 namespace membrane {
 
 /// Elastic constants in the form that the kernels use (M.13). In the frame of warp and weft, the strain along
-/// the warp is multiplied by `warp_scale` and that along the weft by its inverse; the stresses by the
-/// inverses of these. This keeps S : E and the sign of both tensors, and makes warp and weft equally stiff.
-/// The stiffness is then diagonal in the mean, the difference and the shear.
+/// the warp is multiplied by `warp_scale` and the strain along the weft by its inverse; stresses are
+/// multiplied by the inverses. This keeps S : E and the signs of both tensors, and makes warp and weft
+/// equally stiff. The stiffness is then diagonal in mean, difference and shear.
 template <class T>
 struct OrthotropicConstants {
-  /// [-] of twice the angle from the frame's first axis to the warp.
+  /// [-] cosine of twice the angle from the frame's first axis to the warp.
   T cosine;
-  T sine;  // [-] of the same angle
+  T sine;  // [-] sine of the same angle
   /// [-] (C_11 / C_22)^(1/4). A divisor, so 1 for an element without stress.
   T warp_scale = T(1.0);
   /// [Pa] sqrt(C_11 C_22) + C_12: mean stress over mean strain.
   T spherical;
-  /// [Pa] sqrt(C_11 C_22) - C_12: stress over strain, each half the difference between warp and weft.
+  /// [Pa] sqrt(C_11 C_22) - C_12: stress over strain, for half the differences between warp and weft.
   T deviator;
   /// [Pa] 2 G: shear stress over tensor shear strain.
   T shear;
@@ -54,17 +54,17 @@ inline OrthotropicConstants<double> orthotropic_constants(const Weave& w, double
           1.0 + deviator / spherical};
 }
 
-/// True if the value, or that of any lane, is positive. SIMD lane types have their own overload, found by
-/// argument-dependent lookup.
+/// True if the value, or the value of any lane, is positive. SIMD lane types have their own overload, found
+/// by argument-dependent lookup.
 inline bool any_positive(double value) {
   return value > 0.0;
 }
 
 /// Root u [-] of (M.14), 0 at the slack border and `taut` at the taut one. `mean`, `difference` and `shear`
-/// are the scaled strains. The function is concave (mean > 0) or convex. So Newton's method, from the border
-/// on the side of the mean's sign, approaches the root without passing it. A lane that no longer advances is
-/// therefore done, and further rounds for its neighbours do not change it. 12 rounds suffice for shear /
-/// deviator from 1e-4 to 100.
+/// are the scaled strains. The function is concave (mean > 0) or convex, so Newton's method, started at the
+/// border given by the mean's sign, approaches the root from one side. A lane that no longer advances is
+/// done; further rounds for its neighbours do not change it. 12 rounds suffice for shear / deviator from 1e-4
+/// to 100.
 template <class T>
 T wrinkle_root(T mean, T difference, T shear, const OrthotropicConstants<T>& c) {
   using std::sqrt;
@@ -75,12 +75,12 @@ T wrinkle_root(T mean, T difference, T shear, const OrthotropicConstants<T>& c) 
   for (int round = 0; round < most_rounds; ++round) {
     const T b = one - c.skew * u;
     const T db = difference * b;
-    // The smallest normal number avoids 0/0; the quotient is then no advance.
+    // The smallest normal number avoids 0/0; the step is then zero.
     const T inverse = one / (sqrt(db * db + shear * shear) + T(std::numeric_limits<double>::min()));
     const T t = shear * inverse;
     const T value = mean * b * inverse + (one - u);
     const T slope = mean * inverse * (c.skew * (t * t)) + one;
-    // The slope is positive unless the start is on the far side of the root: a taut or slack state.
+    // The slope is positive unless the start is beyond the root, that is, the state is taut or slack.
     const T step = value / select(slope > zero, slope, one);
     const T advance = select(from_taut, zero - step, step) - c.taut * rounding;
     if (!any_positive(advance)) break;
@@ -132,17 +132,17 @@ inline PlaneResponse<double> orthotropic_response(Compression compression, const
 
 /// The law of stress linear in Green-Lagrange strain (M.13, M.14), of woven fabric.
 struct Orthotropic : LawDefaults {
-  /// What it is for.
+  /// Traits of the law.
   static constexpr LawTraits traits{.name = "saint_venant_kirchhoff", .woven = true, .compression = true};
-  /// In the form that the kernels use.
+  /// Constants in the form that the kernels use.
   template <class T>
   using Constants = OrthotropicConstants<T>;
 
-  /// Of one element.
+  /// Constants of one element.
   static Constants<double> constants(const LawInput& fabric) {
     return orthotropic_constants(fabric.moduli, fabric.cosine, fabric.sine);
   }
-  /// At a point.
+  /// Response at a point.
   template <Compression kCompression, class T>
   static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c, const Notes<T>&,
                                    const YarnCurves&) {

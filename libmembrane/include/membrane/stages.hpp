@@ -10,8 +10,8 @@
 
 /// The bag's stages of one step. None of them allocates. Each takes `for_each_block`: for_each_block(count,
 /// f) must run f(0) ... f(count - 1), in any order or in parallel. The results have the same bits in every
-/// case. The functions with `block` are parts of stages; precondition: `block` is a number of its kind of
-/// block, and the state is one of the model. The stages check that: see check_state.
+/// case. The functions with `block` are parts of stages. Precondition: `block` is a number of that kind of
+/// block, and the state belongs to the model. Whole stages check the state: see check_state.
 namespace membrane {
 
 /// Runs one block after the other in the calling thread.
@@ -54,9 +54,9 @@ void viscous_node_block(const BagModel& model, BagState& state, int block);
 void advance_block(const BagModel& model, BagState& state, double dt_before, double dt_after, int block);
 /// Part of advance: sums over the blocks. Throws MembraneError, naming the node whose velocity is not finite.
 void sum_advance(const BagModel& model, BagState& state, double dt_before, double dt_after);
-/// Part of update_mass_shares for one block of elements: by which factor each asks for more mass (M.17).
+/// Part of update_mass_shares for one block of elements: the factor by which each demands more mass (M.17).
 void demand_block(const BagModel& model, BagState& state, int block);
-/// Part of update_mass_shares for one block of nodes: new shares from what the elements ask for.
+/// Part of update_mass_shares for one block of nodes: new shares by the elements' demands.
 void share_block(const BagModel& model, BagState& state, int block);
 /// Part of update_mass_shares for one block of elements: new bounds of omega^2.
 void frequency_block(const BagModel& model, BagState& state, int block);
@@ -64,7 +64,7 @@ void frequency_block(const BagModel& model, BagState& state, int block);
 void check_steps(double dt_before, double dt_after);
 
 /// S1/S9 and the fabric's part of S3 at state.position, in one pass over the elements because both need the
-/// same corners. The bits are those of the two functions below.
+/// same corners. It gives the same bits as the two functions below.
 ///   surface: volume, its gradient and the areas (M.5)
 ///   forces:  forces of the fabric, their strain energy and the element bound of omega^2 (M.4, M.10)
 /// Throws MembraneError if volume or area is not finite.
@@ -92,7 +92,7 @@ void membrane_forces(const BagModel& model, BagState& state, ForEachBlock&& for_
 /// S6: area vectors and centroids (M.5) of `elements` at state.position. Throws std::invalid_argument without
 /// LoadKinds::jet, and for an element number out of range.
 void update_geometry(const BagModel& model, BagState& state, std::span<const int> elements);
-/// The same of all elements.
+/// The same for all elements.
 void update_geometry(const BagModel& model, BagState& state);
 
 /// S3: overpressure `gauge_pressure` = p - p_a [Pa] on the inside of every element, null ones included (M.6).
@@ -103,7 +103,7 @@ void pressure_forces(BagState& state, double gauge_pressure);
 
 /// Load of one jet.
 struct JetLoad {
-  std::span<const double> overpressure;  // [Pa] M, on the inside of each element; read for `elements` only
+  std::span<const double> overpressure;  // [Pa] M, on the inside of each element; used for `elements` only
   std::span<const int> elements;         // elements that the jet may load, each once
 };
 
@@ -124,10 +124,10 @@ void support_forces(const BagModel& model, BagState& state, ForEachBlock&& for_e
   sum_support_forces(model, state);
 }
 
-/// S3: forces of the stress beta dS/dt (M.28), with the change of S since the last call, dt_before [s] ago;
-/// 0 at the start, where there is none. Rigid motion changes no S. The rate is that of half a step ago, so
-/// the damping is of first order in the step, and it shortens the stable one: critical_time_step has that in
-/// it. Does nothing without stiffness_damping. It costs some ten times update_skin.
+/// S3: forces of the stress beta dS/dt (M.28), from the change of S since the last call, dt_before [s] ago (0
+/// at the start). Rigid motion does not change S. The rate is half a step old, so the damping is of first
+/// order in the step and shortens the stable one, see critical_time_step. Does nothing without
+/// stiffness_damping. It costs some ten times update_skin.
 template <class ForEachBlock = Serial>
 void viscous_forces(const BagModel& model, BagState& state, double dt_before,
                     ForEachBlock&& for_each_block = {}) {
@@ -137,9 +137,9 @@ void viscous_forces(const BagModel& model, BagState& state, double dt_before,
   for_each_block(node_blocks(model), [&](int block) { viscous_node_block(model, state, block); });
 }
 
-/// Moves mass to the elements whose bound of omega^2 is near the largest one at these positions (M.15), one
-/// round. Call it now and then, after update_skin. Later bounds use the new shares; each is a safe bound
-/// wherever the nodes move. It costs at most about thirty times update_skin, less if few elements are near.
+/// Moves mass to the elements whose bound of omega^2 is near the largest one at these positions (M.15). Call
+/// it now and then, after update_skin. Later bounds use the new shares and are safe for any motion of the
+/// nodes. It costs at most about thirty times update_skin, less if few elements are near the largest bound.
 template <class ForEachBlock = Serial>
 void update_mass_shares(const BagModel& model, BagState& state, ForEachBlock&& for_each_block = {}) {
   check_state(model, state);
@@ -166,13 +166,13 @@ const AdvanceSums& advance(const BagModel& model, BagState& state, double dt_bef
   return state.advance;
 }
 
-/// Kinetic energy at n [J], (K.40), from those at n-1/2 and n+1/2 and the sum of m v- . v+ / 2: that of the
-/// linear interpolation less dt_before dt_after m |a|^2 / 8. For even steps it is the product alone, which a
-/// linear system conserves together with the strain energy; of second order for uneven ones. dt_before = 0 at
-/// the start, where it is kinetic_before. Throws std::invalid_argument as advance does.
+/// Kinetic energy at n [J] (K.40), from its values at n-1/2 and n+1/2 and the sum of m v- . v+ / 2: the
+/// linear interpolation minus dt_before dt_after m |a|^2 / 8. For even steps it is that sum, which a linear
+/// system conserves together with the strain energy; for uneven steps it is of second order. At the start,
+/// with dt_before = 0, it is kinetic_before. Throws std::invalid_argument as advance does.
 double level_kinetic(double kinetic_before, double kinetic_after, double kinetic_product, double dt_before,
                      double dt_after);
-/// The same of the step that `sums` came with.
+/// The same for the step of `sums`.
 double level_kinetic(const AdvanceSums& sums, double dt_before, double dt_after);
 
 }  // namespace membrane

@@ -13,7 +13,7 @@ namespace membrane {
 /// Allocator of storage aligned to cache lines, so that the SIMD kernels load whole nodes.
 template <class T>
 struct AlignedAllocator {
-  using value_type = T;                              // required of an allocator
+  using value_type = T;                              // required by std::allocator_traits
   static constexpr std::align_val_t kAlignment{64};  // [byte] a cache line
   AlignedAllocator() = default;
   /// Allocators of all types are interchangeable.
@@ -34,8 +34,8 @@ struct AlignedAllocator {
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
-/// 3 x n view whose columns lie 4 doubles apart. It binds without a copy to Eigen::Ref<const
-/// Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>.
+/// 3 x n view with columns 4 doubles apart. It binds without a copy to Eigen::Ref<const Eigen::Matrix3Xd, 0,
+/// Eigen::OuterStride<>>.
 using VectorsMap = Eigen::Map<Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;
 /// The same, read-only.
 using ConstVectorsMap = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Unaligned, Eigen::OuterStride<4>>;

@@ -14,14 +14,14 @@ inline constexpr int kMostCurvePoints = 64;
 
 /// Nominal stress [Pa] along a yarn over its strain, as a sum of ramps (M.30).
 struct YarnCurve {
-  int count;                        // of the ramps
-  double strain[kMostCurvePoints];  // [-] where each begins
-  double rise[kMostCurvePoints];    // [Pa] what the slope gains there
+  int count;                        // number of ramps
+  double strain[kMostCurvePoints];  // [-] begin of each ramp
+  double rise[kMostCurvePoints];    // [Pa] increase of the slope there
   double end;                       // [-] strain of the last point
   double steepest;                  // [Pa] largest slope
 };
 
-/// Of both directions.
+/// Curves of both directions.
 struct YarnCurves {
   YarnCurve warp;  // along the first direction
   YarnCurve weft;  // along the second
@@ -30,8 +30,8 @@ struct YarnCurves {
 /// Constants of a fabric by measured curves, in the form that the kernels use (M.30).
 template <class T>
 struct YarnConstants {
-  T cosine;  // [-] of twice the angle from the frame's first axis to the warp
-  T sine;    // [-] of the same angle
+  T cosine;  // [-] cosine of twice the angle from the frame's first axis to the warp
+  T sine;    // [-] sine of the same angle
   T shear;   // 2 G [Pa]
 };
 
@@ -43,8 +43,8 @@ struct YarnResponse {
   T strain;          // lambda - 1 [-], 0 in compression
 };
 
-/// Response of a yarn of Green-Lagrange strain `e` along it. The curve is the sum of ramps that begin at
-/// its points, each with the rise of the slope there. Nothing in compression: the yarn buckles.
+/// Response of a yarn of Green-Lagrange strain `e` along it. The curve is a sum of ramps that begin at its
+/// points. The response is zero in compression, where the yarn buckles.
 template <class T>
 [[gnu::always_inline]] inline YarnResponse<T> yarn_response(const YarnCurve& curve, T e) {
   using std::sqrt;
@@ -95,24 +95,24 @@ template <class T>
 
 /// The law by measured curves.
 struct Yarns : LawDefaults {
-  /// What it is for.
+  /// Traits of the law.
   static constexpr LawTraits traits{.name = "curve",
                                     .woven = true,
                                     .curves = true,
                                     .end = "is stretched beyond the last point of its curve"};
-  /// In the form that the kernels use.
+  /// Constants in the form that the kernels use.
   template <class T>
   using Constants = YarnConstants<T>;
 
-  /// Of one element.
+  /// Constants of one element.
   static Constants<double> constants(const LawInput& fabric) {
     return {fabric.cosine, fabric.sine, 2.0 * fabric.moduli.shear};
   }
-  /// As stiff as the fabric ever gets (M.31).
+  /// Largest stiffness of the fabric (M.31).
   static Weave stiffness(const LawInput& fabric) {
     return {fabric.curves->warp.steepest, fabric.curves->weft.steepest, 0.0, fabric.moduli.shear};
   }
-  /// At a point.
+  /// Response at a point.
   template <Compression kCompression, class T>
   [[gnu::always_inline]] static PlaneResponse<T> response(const PlaneStrain<T>& e, const Constants<T>& c,
                                                           const Notes<T>&, const YarnCurves& curves) {

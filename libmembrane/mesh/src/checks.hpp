@@ -13,13 +13,14 @@ struct Mesh;
 [[noreturn]] void reject(std::string_view where, const std::string& field, double value,
                          const std::string& allowed);
 
-std::string shown(double value);  // enough digits to tell it from its neighbours
+std::string shown(double value);  // with enough digits to distinguish it from its neighbours
 
 void require_positive(std::string_view where, const char* field, double value);  // finite and > 0
 
-// Every corner is a number of a node.
+// Throws unless every corner is the number of a node.
 void require_nodes(std::string_view where, const Eigen::Ref<const Eigen::Matrix3Xi>& elements,
                    Eigen::Index node_count);
-void require_panels(std::string_view where, const Mesh& mesh);  // one index of a panel for each element
+void require_panels(std::string_view where, const Mesh& mesh);  // throws unless each element has the index of
+                                                                // a panel
 
 }  // namespace mesh

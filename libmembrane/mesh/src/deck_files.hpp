@@ -11,7 +11,7 @@
 
 namespace mesh {
 
-/// The next line of a text, without its end, and off with it.
+/// Removes the next line from a text; returns it without its end.
 inline std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
@@ -20,7 +20,7 @@ inline std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Texts of included files, and an end of files that include themselves.
+/// Reads included files, and stops files that include themselves.
 class DeckFiles {
  public:
   explicit DeckFiles(const IncludedFile& read) : read_(read) {}

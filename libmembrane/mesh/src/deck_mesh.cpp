@@ -55,7 +55,7 @@ void DeckMesh::require_node(const Corner& corner) const {
     fail(corner.place, "node " + std::to_string(corner.node) + " is in no list of nodes of this deck");
 }
 
-/// Places of nodes in the stress-free shape; none if the deck gives none that can be taken.
+/// Positions of nodes in the stress-free shape; empty if the deck has none that can be used.
 DeckPlaces DeckMesh::design() {
   if (reference_.empty()) return {};
   for (const auto& [number, corners] : reference_.shells())
@@ -101,7 +101,7 @@ Mesh DeckMesh::build() {
   }
   Mesh mesh = std::move(builder).finish();
   if (is_moved) mesh.start = Eigen::Map<const Eigen::Matrix3Xd>(start.front().data(), 3, mesh.nodes.cols());
-  if (files_.size() > 1) mesh.line.clear();  // of which file?
+  if (files_.size() > 1) mesh.line.clear();  // lines of several files are ambiguous
   const auto listed = [](const std::map<std::string, int>& counts) {
     std::vector<std::string> list;
     for (const auto& [name, count] : counts)

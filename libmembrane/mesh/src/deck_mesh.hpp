@@ -19,19 +19,19 @@ class DeckMesh {
   using Id = DeckId;
   using Corner = DeckCorner;
 
-  /// The number of a file that is read next.
+  /// Returns the number of a file that is read next.
   int open(const std::string& name);
   const std::string& first_file() const { return files_.front(); }
   /// Throws MeshFileError.
   [[noreturn]] void fail(const Place& place, const std::string& message) const;
 
   void add_node(Id number, const Eigen::Vector3d& position, const Place& place);
-  /// 3 or 4 corners, the fourth left out if it is the third. All of these refuse a number that is repeated.
+  /// 3 or 4 corners, the fourth left out if it is the third. All of these throw for a repeated number.
   void add_shell(Id number, Id part, std::vector<Corner> corners, const Place& place);
   void name_part(Id part, const std::string& title, const Place& place);
-  /// Something that is no part of the mesh, counted by its name.
+  /// Counts content that is not part of the mesh, by its name.
   void skip(const std::string& name, bool is_element) { (is_element ? elements_ : skipped_)[name] += 1; }
-  /// Something that changes the bag and is not read, counted by its name.
+  /// Counts content that changes the bag and is not read, by its name.
   void neglect(const std::string& name) { neglected_[name] += 1; }
   /// The stress-free shape, for the readers of its cards.
   DeckReference& reference() { return reference_; }

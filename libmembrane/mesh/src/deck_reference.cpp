@@ -8,9 +8,9 @@
 namespace mesh {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  // of the bag's extent: what the decimals of a deck leave
+constexpr double kSamePlace = 1e-6;  // share of the bag's extent: precision of a deck's decimals
 
-// Notes where a node is, and whether it is somewhere else already.
+// Stores positions of nodes, and notes nodes that get two.
 class Placing {
  public:
   Placing(DeckReference::Shape& shape, double same) : shape_(shape), same_(same) {}
@@ -45,11 +45,11 @@ DeckReference::Shape DeckReference::shape(const std::vector<DeckShell>& shells,
                                           const DeckPlaces& start) const {
   Shape shape;
   Placing placing(shape, kSamePlace * extent(start));
-  std::map<DeckId, std::set<DeckId>> nodes_of;  // of each part, and of all
+  std::map<DeckId, std::set<DeckId>> nodes_of;  // nodes of each part, and of all parts (0)
   for (const DeckShell& shell : shells)
     for (const DeckCorner& corner : shell.corners)
       for (const DeckId part : {shell.part, DeckId{0}}) nodes_of[part].insert(corner.node);
-  std::set<DeckId> listed;  // parts
+  std::set<DeckId> listed;  // parts with lists
   for (const List& list : lists_) {
     if (list.nodes.empty()) continue;
     listed.insert(list.part);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private to the readers of decks: the stress-free shape that a deck gives beside its nodes.
+// Private to the readers of decks: the stress-free shape of a deck.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ namespace mesh {
 
 using DeckId = long long;
 
-/// Where a card stands: the number of its file, as DeckMesh::open gave it, line and column from 1.
+/// Position of a card: the number of its file from DeckMesh::open, line and column from 1.
 struct Place {
   int file;
   std::size_t line, column;
@@ -30,32 +30,32 @@ struct DeckShell {
   std::vector<DeckCorner> corners;
 };
 
-/// Places of nodes by their numbers [file's unit].
+/// Positions of nodes by their numbers [file's unit].
 using DeckPlaces = std::unordered_map<DeckId, Eigen::Vector3d>;
 
-/// Lists of nodes with their places in the stress-free shape, each of one part or of all, and shells whose
-/// corners have the places of other nodes.
+/// Lists of nodes with their positions in the stress-free shape, each for one part or for all, and shells
+/// whose corners have the positions of other nodes.
 class DeckReference {
  public:
-  /// What the lists say of the nodes that shells use, and what is wrong with that.
+  /// Positions of the nodes that shells use, by the lists, and faults of the lists.
   struct Shape {
-    DeckPlaces places;                 // of the nodes that are listed
-    std::optional<DeckId> two_places;  // of a node, as in panels that are cut flat
-    std::optional<DeckId> half;        // a part with some listed nodes, which are of another part
+    DeckPlaces places;                 // positions of the listed nodes
+    std::optional<DeckId> two_places;  // a node with two positions, as in panels cut flat
+    std::optional<DeckId> half;        // a part with only some of its nodes listed, by another part
   };
 
-  /// A list of nodes of one part, or of all (0), follows. Their places are scaled about those of `origin`, or
-  /// of the first node of the list (0).
+  /// Begins a list of nodes of one part, or of all (0). Their positions are scaled about the node `origin`,
+  /// or about the first node of the list (0).
   void begin(DeckId part, const Eigen::Vector3d& scale = Eigen::Vector3d::Ones(), DeckId origin = 0);
   void add_node(DeckId node, const Eigen::Vector3d& place) { lists_.back().nodes.emplace_back(node, place); }
-  /// The corners of a shell are where these nodes are.
+  /// The corners of a shell have the positions of these nodes.
   void add_shell(DeckId number, std::vector<DeckCorner> corners) {
     shells_.insert_or_assign(number, std::move(corners));
   }
   bool empty() const { return lists_.empty() && shells_.empty(); }
   const std::map<DeckId, std::vector<DeckCorner>>& shells() const { return shells_; }
 
-  /// `start` has the nodes of the deck, and all that shells() names.
+  /// `start` has the nodes of the deck, including all nodes in shells().
   Shape shape(const std::vector<DeckShell>& shells, const DeckPlaces& start) const;
 
  private:

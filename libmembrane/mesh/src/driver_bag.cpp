@@ -65,7 +65,7 @@ class DriverBagBuilder {
     return ring == o_.rings ? front(ring, along) : disc_ + front(ring, along);  // the rim is shared
   }
 
-  // The elements between two rings in a sixth of the disc: along the strip they point in and out in turn.
+  // The elements between two rings in a sixth of the disc, alternately pointing in and out.
   void add_cells(int sector, int ring) {
     for (int place = 0; place <= 2 * ring; ++place) {
       const int inner = sector * ring + place / 2, outer = sector * (ring + 1) + (place + 1) / 2;

@@ -20,7 +20,7 @@ namespace {
 constexpr long long kMostTag = 2'000'000'000;
 constexpr const char* kOneGroup = "; a panel is one group: take the surface out of the other";
 
-// Corners of the elements of first order that are read or skipped; 0 for all others.
+// Number of corners of a first-order element that is read or skipped; 0 for other types.
 std::size_t corners_of(long long type) {
   switch (type) {
     case 1:
@@ -135,7 +135,9 @@ class GmshParser {
         const std::size_t groups = words_.count("the number of physical groups");
         for (std::size_t k = 0; k < groups; ++k) {
           const long long group = tag("a physical group");
-          if (dimension == 2) groups_of_surface_[entity].insert(std::abs(group));  // a sign is an orientation
+          if (dimension == 2)
+            groups_of_surface_[entity].insert(std::abs(group));  // its sign is an
+                                                                 // orientation
         }
         if (dimension == 0) continue;
         const std::size_t bounding = words_.count("the number of bounding entities");
@@ -272,10 +274,10 @@ class GmshParser {
 
   TokenReader words_;
   bool is_new_ = false;                     // version 4
-  std::map<long long, std::string> names_;  // of the physical surfaces
+  std::map<long long, std::string> names_;  // names of the physical surfaces
   std::map<long long, std::set<long long>> groups_of_surface_;
   std::vector<Eigen::Vector3d> nodes_;
-  std::unordered_map<long long, int> index_;  // of each number
+  std::unordered_map<long long, int> index_;  // index of each node number
   std::vector<Element> elements_;
 };
 

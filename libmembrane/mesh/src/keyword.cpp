@@ -14,7 +14,7 @@
 namespace mesh {
 namespace {
 
-// Widths of the columns that are read: the standard and the long format.
+// Widths of columns in the standard and the long format.
 using Widths = std::vector<std::size_t>;
 const std::array<Widths, 2> kNodeWidths = {Widths{8, 16, 16, 16}, Widths(4, 20)};
 const std::array<Widths, 2> kShellWidths = {Widths(10, 8), Widths(10, 20)};
@@ -29,7 +29,7 @@ std::string upper(std::string_view text) {
   return result;
 }
 
-// Cards after that of a shell, by the options of *ELEMENT_SHELL; -1 for options that are not read.
+// Number of cards after a shell's own, by the options of *ELEMENT_SHELL; -1 for unknown options.
 int cards_of_options(std::string_view options) {
   int of_shape = 0, offset = 0;
   while (!options.empty()) {
@@ -55,7 +55,7 @@ bool changes_bag(std::string_view word) {
          word.starts_with("*AIRBAG_REFERENCE");
 }
 
-// *PART with options that leave title and number where they are, and add cards behind them.
+// True for *PART with options that only add cards after title and number.
 bool is_part_with_options(std::string_view word) {
   for (std::string_view rest = word.substr(std::min(word.size(), std::size_t{5})); !rest.empty();) {
     rest.remove_prefix(1);  // _
@@ -95,12 +95,12 @@ class KeywordParser {
     end
   };
 
-  // Where in a file it reads.
+  // Position in a file.
   struct Cursor {
     int file = 0;
     std::size_t line = 0;
     Section section = Section::start;
-    bool file_is_long = false, is_long = false;  // by default, and after the present keyword
+    bool file_is_long = false, is_long = false;  // format by default, and after the present keyword
   };
 
   [[noreturn]] void fail(std::size_t column, const std::string& what) const {
@@ -149,7 +149,7 @@ class KeywordParser {
     const bool is_read = at_.section != Section::skipped && at_.section != Section::elements;
     if (!is_read && at_.section != Section::elements) deck_.skip(word_, false);
     if (!is_read && changes_bag(word_)) deck_.neglect(word_);
-    // Such as *NODE %, other columns: what they would give is no mesh, or worse, one.
+    // Such as *NODE %, which means other columns: reading them could give a wrong mesh.
     if (is_read && at_.section != Section::end && rest < line.size())
       fail(rest + 1, shown(line.substr(rest)) + " after " + word_ + " is not read here; " + word_ +
                          " alone on its line is allowed");
@@ -206,7 +206,7 @@ class KeywordParser {
     cards_left_ = cards_of_shell_;
   }
 
-  // A card that is missing would take the next shell with it.
+  // If it is missing, the next shell would be skipped instead.
   void card_of_option(std::string_view line) {
     --cards_left_;
     if (line.find_first_of("123456789") != line.npos) deck_.neglect(word_);
@@ -230,7 +230,7 @@ class KeywordParser {
     at_.section = has_one_part_ ? Section::skipped : Section::part_title;
   }
 
-  // A line that ends with ` +` goes on in the next.
+  // A line that ends with ` +` continues in the next.
   void include(std::string_view line) {
     const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t");
     file_name_ += line.substr(first, last + 1 - first);
@@ -254,8 +254,8 @@ class KeywordParser {
   KeywordReference reference_{deck_};
   Cursor at_;
   std::string word_;           // the present keyword
-  std::string title_;          // of the part whose data card comes next
-  std::string file_name_;      // of *INCLUDE, as far as its lines have it
+  std::string title_;          // title of the part whose data card comes next
+  std::string file_name_;      // name in *INCLUDE so far
   bool has_one_part_ = false;  // the present *PART
   int cards_of_shell_ = 0, cards_left_ = 0;
 };

@@ -8,9 +8,9 @@
 
 namespace mesh {
 
-/// Cards of *AIRBAG_REFERENCE_GEOMETRY and *AIRBAG_SHELL_REFERENCE_GEOMETRY: with _ID one of scales and the
-/// node that they are about, with _BIRTH one of a time, then nodes with their places, or shells with the
-/// nodes at which their corners are. _RDT is about steps of time, and adds no card.
+/// Cards of *AIRBAG_REFERENCE_GEOMETRY and *AIRBAG_SHELL_REFERENCE_GEOMETRY: with _ID a card of scales and
+/// the node they are about, with _BIRTH a card with a time, then nodes with their positions, or shells with
+/// the nodes at which their corners are. _RDT, about time steps, adds no card.
 class KeywordReference {
  public:
   explicit KeywordReference(DeckMesh& deck) : deck_(deck) {}
@@ -25,7 +25,7 @@ class KeywordReference {
   void birth(std::string_view line, int file, std::size_t number, bool is_long);
 
   DeckMesh& deck_;
-  bool of_shells_ = false, has_id_ = false, has_birth_ = false;  // what is due
+  bool of_shells_ = false, has_id_ = false, has_birth_ = false;  // what the keyword has
 };
 
 }  // namespace mesh

@@ -18,12 +18,12 @@ namespace {
 
 using Cube = std::array<std::int64_t, 3>;
 
-// Nodes that stay, by cubes whose side is the tolerance: neighbours are in the 27 cubes around.
+// Remaining nodes, by cubes whose side is the tolerance: neighbours are in the 27 cubes around.
 class Neighbours {
  public:
   Neighbours(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
 
-  // The node to which node `n` is joined; itself if it stays, which is noted.
+  // The node to which node `n` is joined. If there is none, stores `n` as remaining and returns it.
   int join(int n) {
     const Eigen::Vector3d x = mesh_.nodes.col(n);
     const Cube own = cube_of(x);
@@ -50,7 +50,7 @@ class Neighbours {
     return cube;
   }
 
-  // In both shapes.
+  // True if two nodes are near in both shapes.
   bool is_near(int a, int b) const {
     const auto near = [&](const Eigen::Matrix3Xd& x) { return (x.col(a) - x.col(b)).norm() <= tolerance_; };
     return near(mesh_.nodes) && (!mesh_.start || near(*mesh_.start));
@@ -73,7 +73,7 @@ std::vector<int> joined(const Mesh& mesh, double tolerance) {
   for (int n = 0; n < nodes.cols(); ++n) {
     if (!nodes.col(n).allFinite()) throw std::invalid_argument("a node is not finite");
     std::array<double, 6> x;
-    for (std::size_t c = 0; c < 6; ++c)  // -0 and 0 are one number
+    for (std::size_t c = 0; c < 6; ++c)  // -0 equals 0
       x[c] = (c < 3 ? nodes : start)(static_cast<Eigen::Index>(c % 3), n) + 0.0;
     of[static_cast<std::size_t>(n)] = first.try_emplace(x, n).first->second;
   }
@@ -96,7 +96,7 @@ void keep_nodes(Mesh& mesh, const std::vector<bool>& stays, const std::vector<in
     corner = place[static_cast<std::size_t>(of[static_cast<std::size_t>(corner)])];
 }
 
-// Leaves out elements with two equal corners; returns how many.
+// Removes elements with two equal corners; returns their number.
 int drop_repeated(Mesh& mesh) {
   Eigen::Index count = 0;
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
@@ -135,7 +135,7 @@ int drop_collapsed(Mesh& mesh, Eigen::Matrix3Xd* start) {
   require_nodes("drop_collapsed", mesh.elements, mesh.nodes.cols());
   std::vector<int> of(static_cast<std::size_t>(mesh.nodes.cols()));
   std::iota(of.begin(), of.end(), 0);
-  const auto first = [&](int node) {  // each look halves the way of the next
+  const auto first = [&](int node) {  // each search halves the path of the next
     for (auto n = static_cast<std::size_t>(node); of[n] != node;
          node = of[n = static_cast<std::size_t>(node)])
       of[n] = of[static_cast<std::size_t>(of[n])];

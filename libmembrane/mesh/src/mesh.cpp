@@ -36,7 +36,7 @@ ElementShape element_shape(const std::array<Eigen::Vector3d, 3>& x) {
   const auto side = [&](std::size_t i) { return (x[(i + 2) % 3] - x[(i + 1) % 3]).norm(); };
   const std::array<double, 3> sides{side(0), side(1), side(2)};
   const double longest = std::ranges::max(sides);
-  // The smallest angle is opposite to the shortest side.
+  // The smallest angle is opposite the shortest side.
   const auto sharp = static_cast<std::size_t>(std::ranges::min_element(sides) - sides.begin());
   const double cosine = (x[(sharp + 1) % 3] - x[sharp]).dot(x[(sharp + 2) % 3] - x[sharp]);
   return {twice_area / longest, elementary::atan2(twice_area, cosine), longest, 0.5 * twice_area};
@@ -80,7 +80,7 @@ std::vector<int> panel_elements(const Mesh& mesh, std::string_view name) {
 Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names) {
   require_nodes("only_panels", mesh.elements, mesh.nodes.cols());
   require_panels("only_panels", mesh);
-  for (const auto& name : names) panel_index(mesh, name);  // refuses an unknown one
+  for (const auto& name : names) panel_index(mesh, name);  // throws for an unknown one
   const auto panel_of = [&](int element) -> const std::string& {
     const auto panel = mesh.panel[static_cast<std::size_t>(element)];
     return mesh.panel_names[static_cast<std::size_t>(panel)];

@@ -69,7 +69,7 @@ Mesh read_mesh(const std::filesystem::path& path) {
   std::vector<std::filesystem::path> included;
   const IncludedFile beside = [&](const std::string& file) {
     included.push_back(path.parent_path() / file);
-    std::error_code ignored;  // a pipe may never end
+    std::error_code ignored;  // a pipe may be endless
     if (!std::filesystem::is_regular_file(included.back(), ignored))
       throw MeshFileError(included.back().string(), 0, 0, "is no file that can be read");
     return read_text(included.back());

@@ -46,7 +46,7 @@ std::string read_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path, ignored))
     throw MeshFileError(path.string(), 0, 0, "cannot be opened for reading");
-  constexpr std::size_t most = largest_mesh_file;  // a device may never end
+  constexpr std::size_t most = largest_mesh_file;  // a device may be endless
   std::string text;
   std::array<char, 1u << 16> chunk;
   do {
@@ -58,7 +58,7 @@ std::string read_text(const std::filesystem::path& path) {
   if (file.bad()) throw MeshFileError(path.string(), 0, 0, "cannot be read");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // byte order mark of UTF-8
   if (text.find('\n') == std::string::npos)
-    std::replace(text.begin(), text.end(), '\r', '\n');  // as old Macs end lines
+    std::replace(text.begin(), text.end(), '\r', '\n');  // line ends of old Macs
   return text;
 }
 
@@ -76,7 +76,7 @@ struct Part {
   std::FILE* file;
 };
 
-// Of this writer alone: of two that write one file at once, each renames a whole one.
+// Opens a part file of this writer alone: if two write one file at once, each renames a complete one.
 Part open_part(const std::filesystem::path& target) {
   for (int n = 0;; ++n) {
     std::filesystem::path path = target.string() + ".gasjet-part" + (n == 0 ? "" : std::to_string(n));
@@ -85,7 +85,7 @@ Part open_part(const std::filesystem::path& target) {
   }
 }
 
-// A full disk leaves what was there.
+// Replaces a file in one step: on a full disk the old file stays.
 bool replace(const std::filesystem::path& path, const std::string& text) {
   const Part part = open_part(path);
   if (!part.file) return false;
@@ -136,7 +136,7 @@ int MeshBuilder::panel_index(const std::string& panel) {
   return entry->second;
 }
 
-/// One number for all nodes of one position: seams may have nodes of their own on each side.
+/// One number for all nodes at one position, because both sides of a seam may have their own nodes.
 std::vector<int> MeshBuilder::positions() const {
   std::vector<int> order(nodes_.size()), of(nodes_.size());
   std::iota(order.begin(), order.end(), 0);
@@ -151,11 +151,11 @@ std::vector<int> MeshBuilder::positions() const {
   return of;
 }
 
-/// Turns the corners of each quad, so that it is split from the first to the third.
+/// Rotates the corners of each quad so that it is split from the first to the third.
 void MeshBuilder::split_quads() {
   const std::vector<int> position = positions();
   std::unordered_set<std::uint64_t> sides;
-  const auto add = [&](int a, int b) {  // false if it is there
+  const auto add = [&](int a, int b) {  // false if it exists already
     a = position[static_cast<std::size_t>(a)], b = position[static_cast<std::size_t>(b)];
     const auto low = static_cast<std::uint64_t>(std::min(a, b)),
                high = static_cast<std::uint64_t>(std::max(a, b));

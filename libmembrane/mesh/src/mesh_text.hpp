@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private to the mesh files: text in and out, numbers, and the mesh that grows as a file is read.
+// Private to the mesh files: reading and writing of text and numbers, and a mesh under construction.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ namespace mesh {
 /// The text in quotes, shortened and printable, for messages.
 std::string shown(std::string_view text);
 
-/// Reads a finite number; a leading + is allowed. Returns what is wrong with it; empty if nothing is.
+/// Reads a finite number; a leading + is allowed. Returns its fault; empty if there is none.
 std::string number_fault(std::string_view text, double& value);
 
 /// Appends the shortest text that reads back to the same bits.
@@ -39,16 +39,16 @@ class MeshBuilder {
   int node_count() const { return static_cast<int>(nodes_.size()); }
   bool empty() const { return polygons_.empty(); }
   void add_node(const Eigen::Vector3d& position) { nodes_.push_back(position); }
-  /// Adds a polygon of 3 or 4 corners, node numbers from 0. A node may be there twice: drop_collapsed() of
-  /// merge.hpp takes out what has no area.
+  /// Adds a polygon of 3 or 4 corners, node numbers from 0. A node may occur twice: drop_collapsed() of
+  /// merge.hpp removes elements without area.
   void add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line);
-  /// A quad becomes two elements along its shorter diagonal (the first one if they are equal). Where that is
-  /// a side already, as across the corner of two sheets, it is split along the other one.
+  /// Splits each quad along its shorter diagonal (the first if equal) or, if that is already a side, as
+  /// across the corner of two sheets, along the other one.
   Mesh finish() &&;
 
  private:
   struct Polygon {
-    std::array<int, 4> corners;  // the last is -1 in a triangle
+    std::array<int, 4> corners;  // the last one is -1 for a triangle
     int panel, line;
     std::size_t size() const { return corners[3] < 0 ? 3 : 4; }
   };

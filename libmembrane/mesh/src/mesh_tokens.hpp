@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private to the mesh files: words of a text with their places.
+// Private to the mesh files: words of a text with their positions.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace mesh {
 
-/// A word, and where it stands.
+/// A word and its position.
 struct MeshWord {
   std::string_view text;
   std::size_t line, column;  // from 1
@@ -32,19 +32,20 @@ class TokenReader {
   std::size_t line() const { return line_; }
   /// True if no word is left.
   bool at_end();
-  /// The next word. `what` is what should stand there, for the message at the end of the file.
+  /// Reads the next word. `what` describes it in the message if the file ends here.
   MeshWord word(const char* what);
-  /// The next word, which stays.
+  /// The next word, without reading it.
   MeshWord peek(const char* what);
-  /// The next word must be `text`, in capitals or not.
+  /// Reads the next word, which must be `text`, in capitals or not.
   MeshWord expect(std::string_view text);
-  /// A finite number.
+  /// Reads a finite number.
   double number(const char* what);
-  /// A whole number from `low` to `high`.
+  /// Reads an integer from `low` to `high`.
   long long integer(const char* what, long long low, long long high);
-  /// How many items follow. Refuses more than the rest of the file can hold, at a character and a blank each.
+  /// Reads the number of items that follow. Throws if the rest of the file is too short for them, at two
+  /// characters each.
   std::size_t count(const char* what);
-  /// The rest of the line, without white space at its ends; the next word is on another line.
+  /// Reads the rest of the line, without white space at its ends.
   std::string_view rest_of_line();
   /// Goes to the line after this one.
   void next_line();

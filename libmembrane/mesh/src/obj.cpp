@@ -22,7 +22,7 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-// Appends the words of a line. True if a backslash at its end says that the statement goes on.
+// Appends the words of a line. True if a backslash at its end continues the statement.
 bool split(std::string_view line, std::size_t number, std::vector<Token>& tokens) {
   line = line.substr(0, line.find('#'));
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
@@ -148,9 +148,9 @@ class ObjParser {
     return static_cast<int>(value > 0 ? value - 1 : size + value);
   }
 
-  std::string_view text_;  // what is still to be read
+  std::string_view text_;  // text still to be read
   std::string name_;
-  std::size_t line_ = 0;  // of the line read last
+  std::size_t line_ = 0;  // number of the last line read
   MeshBuilder mesh_;
   std::string panel_name_ = "default";
 };

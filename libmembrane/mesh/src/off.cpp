@@ -20,7 +20,7 @@ std::string without_comments(std::string_view text) {
   return result;
 }
 
-// Whether a vertex or face has a line of its own.
+// Whether each vertex or face has its own line.
 enum class Layout { lines, words };
 
 class OffParser {
@@ -61,7 +61,7 @@ class OffParser {
       words_.count("the number of edges");
   }
 
-  // The item's words in its own line, or in any.
+  // Begins an item, in its own line or at the next word.
   void begin(const std::string& what) {
     if (words_.at_end())
       throw MeshFileError(words_.name(), words_.line(), 1,

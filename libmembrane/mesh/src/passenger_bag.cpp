@@ -39,7 +39,7 @@ void check_lengths(const PassengerBagOptions& o) {
 }
 
 void check_cells(const PassengerBagOptions& o) {
-  constexpr int most = 100;  // smoothing costs the fourth power of it
+  constexpr int most = 100;  // the cost of smoothing grows with its fourth power
   require_cells("depth_cells", o.depth_cells, 4, most);
   require_cells("width_cells", o.width_cells, 2, most);
   require_cells("height_cells", o.height_cells, 3, most);
@@ -132,7 +132,7 @@ class PassengerBagBuilder {
            std::abs(2 * j + 1 - o_.width_cells) < o_.attachment_width_cells;
   }
 
-  // Alternating diagonals: with width_cells even they mirror each other about y = 0.
+  // Diagonals alternate, so that with an even width_cells they are mirror images about y = 0.
   void add_main_panel() {
     for (int r = 0; r < rim_count(o_); ++r)
       for (int j = 0; j < o_.width_cells; ++j)
@@ -160,7 +160,7 @@ class PassengerBagBuilder {
     const int j = o_.width_cells / 2;
     const int upper = (o_.height_cells + o_.attachment_height_cells) / 2;
     const int lower = o_.height_cells - upper;
-    const int front = 2 * o_.height_cells + o_.depth_cells;  // rim index opposite r is front - r
+    const int front = 2 * o_.height_cells + o_.depth_cells;  // the rim index opposite r is front - r
     return {{{main_node(upper, j), main_node(front - upper, j)},
              {main_node(lower, j), main_node(front - lower, j)}}};
   }

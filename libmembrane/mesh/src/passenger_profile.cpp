@@ -54,8 +54,7 @@ double rim_step(const PassengerBagOptions& o) {
   return perimeter(o) / rim_count(o);
 }
 
-// Positions are counted in half steps from the middle of the back, so that the halves mirror each other
-// exactly.
+// Counts positions in half steps from the middle of the back, so that both halves are exact mirror images.
 std::vector<Vec2> rim_points(const PassengerBagOptions& o) {
   const int count = rim_count(o);
   std::vector<Vec2> points;
@@ -85,7 +84,8 @@ int SideGrid::rim_index(int i, int k) const {
   return k == 0 ? 2 * (nz_ + nx_) - i : -1;
 }
 
-// A sweep multiplies the slowest mode by 1 - pi^2 / 4 (1 / nx^2 + 1 / nz^2), all of them by e^-39 or less.
+// A sweep multiplies the slowest mode by 1 - pi^2 / 4 (1 / nx^2 + 1 / nz^2); all sweeps together reduce it to
+// e^-39 or less.
 void SideGrid::smooth() {
   const int sweeps = 4 * (nx_ * nx_ + nz_ * nz_);
   std::vector<Vec2> next = points_;

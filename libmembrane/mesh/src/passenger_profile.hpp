@@ -34,8 +34,8 @@ class SideGrid {
     return points_[static_cast<std::size_t>(i + k * (nx_ + 1))];
   }
 
-  /// True if cell (i, k) takes the diagonal from (i, k) to (i + 1, k + 1). The diagonal is the one with the
-  /// larger smallest altitude; where both are nearly equal, the diagonals alternate.
+  /// True if cell (i, k) takes the diagonal from (i, k) to (i + 1, k + 1). The diagonal with the larger
+  /// smallest altitude is used; if both are nearly equal, diagonals alternate.
   bool rising_diagonal(int i, int k) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::size_t, 4> kNodeColumns = {10, 20, 20, 20};
 constexpr std::array<std::size_t, 5> kCornerColumns = {10, 10, 10, 10, 10};
 
-// Blocks of elements that are no shells.
+// Blocks of elements other than shells.
 constexpr std::string_view kOtherElements[] = {"BEAM",   "BRIC20", "BRICK",  "PENTA6",  "QUAD",
                                                "SHEL16", "SPHCEL", "SPRING", "TETRA10", "TETRA4",
                                                "TRIA",   "TRUSS",  "XELEM"};
@@ -29,7 +29,7 @@ class RadiossParser {
   explicit RadiossParser(const IncludedFile& included) : files_(included) {}
 
   Mesh parse(std::string_view text, const std::string& name) {
-    // A deck for both programs begins with the part of the engine.
+    // A deck for both programs begins with the engine's part.
     if (const auto engine = text.find("/END/ENGINE"); engine < text.find("/BEGIN")) block_ = Block::engine;
     read_file(text, name);
     reference_.finish();
@@ -125,7 +125,7 @@ class RadiossParser {
     std::vector<DeckMesh::Corner> corners{card.corner(1), card.corner(2), card.corner(3)};
     if (block_ == Block::shell && !card.blank_or_zero(4)) corners.push_back(card.corner(4));
     deck_.add_shell(card.id(0, "the element's number"), part_, std::move(corners), card.place(0));
-    // Behind the corners: an angle and a thickness of this shell alone.
+    // After the corners come an angle and a thickness of this shell alone.
     constexpr std::size_t corners_end = 50;
     if (line.substr(std::min(corners_end, line.size())).find_first_of("123456789") == line.npos) return;
     deck_.skip("angles and thicknesses in " + word_, false);
@@ -136,7 +136,7 @@ class RadiossParser {
     files_.include(deck_, place(1), name, [&](const std::string& text, const std::string& file) {
       const auto [outer, line] = std::pair(file_, line_);
       read_file(text, file);
-      if (block_ == Block::end) block_ = Block::skipped;  // of that file
+      if (block_ == Block::end) block_ = Block::skipped;  // end of an included file
       file_ = outer;
       line_ = line;
     });
@@ -149,7 +149,7 @@ class RadiossParser {
   std::size_t line_ = 0;
   Block block_ = Block::start;
   std::string word_;       // the present block
-  DeckMesh::Id part_ = 0;  // of the present block
+  DeckMesh::Id part_ = 0;  // part of the present block
 };
 
 }  // namespace

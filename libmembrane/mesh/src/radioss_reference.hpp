@@ -10,14 +10,14 @@
 
 namespace mesh {
 
-/// Cards of /XREF (a title, Nitrs, nodes of one part with their places), /EREF/SHELL and /EREF/SH3N (a
-/// title, shells with the nodes at which their corners are) and /REFSTA (a file of nodes with their places,
-/// then Nitrs and the file's format).
+/// Cards of /XREF (a title, Nitrs, nodes of one part with their positions), /EREF/SHELL and /EREF/SH3N (a
+/// title, shells with the nodes at which their corners are) and /REFSTA (a file of nodes with their
+/// positions, then Nitrs and the file's format).
 class RadiossReference {
  public:
   RadiossReference(DeckMesh& deck, DeckFiles& files) : deck_(deck), files_(files) {}
 
-  /// False if the block is another one. `part` reads the number of the block's part.
+  /// False if the block is a different one. `part` reads the number of the block's part.
   template <class Part>
   bool begins(std::string_view line, const Part& part) {
     finish();
@@ -43,8 +43,8 @@ class RadiossReference {
   DeckMesh& deck_;
   DeckFiles& files_;
   Block block_ = Block::none;
-  int heads_ = 0;     // cards of the block that are due before its list
-  std::string file_;  // of /REFSTA, once named
+  int heads_ = 0;     // remaining cards of the block before its list
+  std::string file_;  // file of /REFSTA, once named
   Place file_place_{};
   bool has_file_ = false;
 };

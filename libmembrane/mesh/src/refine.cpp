@@ -66,7 +66,7 @@ std::vector<Triangle> parts(const Triangle& corners, const Midpoints& midpoints)
   }
   if (split == 0) return {corners};
   if (split == 3) return {{c[0], m[0], m[2]}, {m[0], c[1], m[1]}, {m[2], m[1], c[2]}, {m[0], m[1], m[2]}};
-  // Turned so that side 0 is split, and with two of them side 2 is not.
+  // Rotated so that side 0 is split and, if two sides are split, side 2 is not.
   const auto at = [](std::size_t i) { return i % 3; };
   std::size_t s = 0;
   while (m[s] < 0 || (split == 2 && m[at(s + 2)] >= 0)) ++s;

@@ -58,7 +58,7 @@ class StlParser {
 
   int node() {
     std::array<double, 3> x{};
-    for (double& coordinate : x) coordinate = words_.number("a coordinate") + 0.0;  // -0 and 0 are one number
+    for (double& coordinate : x) coordinate = words_.number("a coordinate") + 0.0;  // -0 equals 0
     const auto [place, is_new] = nodes_.try_emplace(x, mesh_.node_count());
     if (is_new) mesh_.add_node({x[0], x[1], x[2]});
     return place->second;

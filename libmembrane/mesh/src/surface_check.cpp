@@ -14,7 +14,7 @@
 namespace mesh {
 namespace {
 
-constexpr std::size_t kNamed = 5;  // offenders that describe() names of each kind
+constexpr std::size_t kNamed = 5;  // faults of each kind that describe() lists
 
 struct Disjoint {  // union-find over 0..n-1, path halving; the root is the lowest member
   std::vector<int> parent;
@@ -65,7 +65,7 @@ void check_components(const std::vector<EdgeGroup>& groups, int element_count, S
   Disjoint sets(element_count);
   for (const EdgeGroup& group : groups)
     for (const HalfEdge& edge : group) sets.join(group.front().element, edge.element);
-  std::vector<int> component(static_cast<std::size_t>(element_count), -1);  // of a root
+  std::vector<int> component(static_cast<std::size_t>(element_count), -1);  // component of each root
   std::vector<std::vector<int>> components;
   for (int e = 0; e < element_count; ++e) {
     int& own = component[static_cast<std::size_t>(sets.root(e))];
@@ -106,8 +106,8 @@ void check_nodes_finite(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes, Surface
     if (!nodes.col(i).allFinite()) report.non_finite_nodes.push_back(i);
 }
 
-// How nodes and elements are named: both numbered from 0, or, in a mesh that was read, nodes from 1 and
-// elements by their lines.
+// Names of nodes and elements: numbers from 0 or, in a mesh that was read, nodes from 1 and elements by their
+// lines.
 struct Names {
   const std::vector<int>& lines;
   std::string node(int i) const { return std::to_string(lines.empty() ? i : i + 1); }

@@ -13,7 +13,7 @@ namespace {
 
 struct Neighbour {
   int element;
-  bool same_way;  // it runs the common edge in the same direction
+  bool same_way;  // it passes the common edge in the same direction
 };
 
 std::vector<std::vector<Neighbour>> neighbours_of(const Mesh& mesh) {
@@ -49,10 +49,10 @@ bool is_inward(const Mesh& mesh, const std::vector<int>& part) {
   return volume < 0.0 && !is_flat(volume, area);
 }
 
-/// The elements that edges join to `first`, itself included, after turning them as it is wound.
+/// The elements connected to `first` by edges, itself included, turned to its winding.
 std::vector<int> wind_part(Mesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours, int first,
                            std::vector<bool>& seen) {
-  std::vector<std::pair<int, bool>> part{{first, false}};  // elements, and whether each is to be turned
+  std::vector<std::pair<int, bool>> part{{first, false}};  // elements, and whether each must be turned
   seen[static_cast<std::size_t>(first)] = true;
   for (std::size_t i = 0; i < part.size(); ++i) {
     const auto [element, turned] = part[i];

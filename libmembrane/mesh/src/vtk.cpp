@@ -16,7 +16,7 @@ namespace {
 struct Cell {
   std::vector<long long> nodes;
   std::size_t line, column;
-  int type;  // of VTK; 0: a polygon
+  int type;  // type in VTK; 0: a polygon
 };
 
 class VtkParser {
@@ -92,7 +92,7 @@ class VtkParser {
                           " announced");
   }
 
-  // Version 5: where each cell begins, then the nodes of all.
+  // Version 5: the begin of each cell, then the nodes of all.
   void offsets(std::size_t count, std::size_t size) {
     words_.word("OFFSETS");
     words_.word("the type of the offsets");
@@ -130,7 +130,7 @@ class VtkParser {
     skipped_ += has_offsets ? count - (count > 0 ? 1 : 0) : count;
   }
 
-  // Cells without area are skipped; true for those.
+  // True for cells without area, which are skipped.
   bool is_skipped(const Cell& cell) const { return cell.type >= 1 && cell.type <= 4; }
 
   void check(const Cell& cell) const {
@@ -148,8 +148,7 @@ class VtkParser {
                   "cell type " + std::to_string(cell.type) + " with " + std::to_string(corners) + " corners");
   }
 
-  // What an array of the cells says: which panel each is in, or which cell each is, as the identifiers that
-  // filters of VTK leave behind.
+  // Meaning of an array of the cells: panels, or identifiers of cells, which VTK's filters leave behind.
   enum class Meaning { panels, one_panel, identifiers };
   Meaning meaning_of(const CellNumbers& numbers) const {
     if (numbers.name.starts_with("vtkOriginal") || numbers.name.starts_with("vtkGhost"))
@@ -165,7 +164,7 @@ class VtkParser {
     return 2 * values.size() > cells ? Meaning::identifiers : Meaning::panels;
   }
 
-  // The first array that names several panels, else the first that names one; none if there is neither.
+  // The first array with several panels, otherwise the first with one panel; null if there is neither.
   const CellNumbers* panels(std::vector<std::string>& identifiers) const {
     const CellNumbers* one = nullptr;
     for (const CellNumbers& numbers : attributes_.cell_numbers()) {
@@ -194,7 +193,7 @@ class VtkParser {
       check(cell);
       std::vector<int> corners(cell.nodes.begin(), cell.nodes.end());
       if (cell.type == 8) std::swap(corners[2], corners[3]);
-      // Values of vertices and lines come first, whatever the order of the sections.
+      // Values of vertices and lines come first, in any order of the sections.
       mesh.add_polygon(corners,
                        numbers ? numbers->name + "_" + std::string(numbers->values[skipped_ + i]) : "default",
                        cell.line);

@@ -21,23 +21,23 @@ inline bool is_whole_number_type(const std::string& type) {
   return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-/// Passes over so many words.
+/// Skips `count` words.
 inline void skip(TokenReader& words, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) words.word("a value");
 }
 
-/// A whole number for each cell of a file, skipped cells first.
+/// An integer for each cell of a file, skipped cells first.
 struct CellNumbers {
   std::string name;
   std::vector<std::string_view> values;
 };
 
-/// Sections of values. Those of the cells that may name panels are kept.
+/// Reads sections of values, and keeps values of cells that may be panels.
 class VtkAttributes {
  public:
   explicit VtkAttributes(TokenReader& words) : words_(words) {}
 
-  /// Reads the section `key`, if it is one of values; `cells` and `points` are those of the file so far.
+  /// Reads the section `key` if it has values; `cells` and `points` are their numbers in the file so far.
   bool read(const std::string& key, const MeshWord& word, std::size_t cells, std::size_t points) {
     cells_ = cells;
     if (key == "CELL_DATA")
@@ -73,7 +73,7 @@ class VtkAttributes {
   void begin(const MeshWord& at, Of of, std::size_t expected) {
     of_ = of;
     count_ = static_cast<std::size_t>(
-        words_.integer("the number of values", 0, std::numeric_limits<int>::max()));  // nothing need follow
+        words_.integer("the number of values", 0, std::numeric_limits<int>::max()));  // nothing has to follow
     if (count_ != expected && count_ != 0)
       words_.fail(at, std::to_string(count_) + " values for " + std::to_string(expected) +
                           (of == Of::cells ? " cells" : " points"));
@@ -115,7 +115,7 @@ class VtkAttributes {
       cell_numbers_.back().values.push_back(words_.word("a value").text);
   }
 
-  // Up to the next empty line.
+  // Skips to the next empty line.
   void metadata() {
     words_.rest_of_line();
     do words_.next_line();
@@ -139,7 +139,7 @@ class VtkAttributes {
 
   TokenReader& words_;
   Of of_ = Of::none;
-  std::size_t count_ = 0;  // of values in the sections that follow
+  std::size_t count_ = 0;  // number of values in the following sections
   std::size_t cells_ = 0;
   std::vector<CellNumbers> cell_numbers_;
 };

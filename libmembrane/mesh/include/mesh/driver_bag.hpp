@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Driver airbag: two flat discs sewn together at the rim, with inflator hole, vents and tether anchors named.
+// Driver airbag: two flat discs sewn together at the rim, with named inflator hole, vents and tether anchors.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@ namespace mesh {
 /// Options of driver_bag. Axes: x away from the steering wheel, z up; the outlet is at the origin. The discs
 /// are cut from plane fabric.
 struct DriverBagOptions {
-  double radius = 0.35;           // [m] of the discs, flat
-  double inflator_radius = 0.05;  // [m] of the attachment, below radius
+  double radius = 0.35;           // [m] radius of the flat discs
+  double inflator_radius = 0.05;  // [m] radius of the attachment, below `radius`
   /// [m] distance between the middles of the discs in the initial shape; below radius - inflator_radius.
   double opening = 0.04;
-  int rings = 14;          // of each disc, at most 100
-  int inflator_rings = 2;  // of the attachment, 1 to rings - 3
+  int rings = 14;          // rings of each disc, at most 100
+  int inflator_rings = 2;  // rings of the attachment, 1 to rings - 3
   int vents = 2;           // 0, 1 or 2, beside each other on the back
   /// The vents lie between this ring and the next one; above inflator_rings, below rings - 1.
   int vent_ring = 7;
@@ -34,12 +34,12 @@ struct DriverBag {
   /// the lengths of the meridians and shorten the hoops. The attachment stays in x = 0. Nothing is stretched,
   /// and nothing intersects.
   Eigen::Matrix3Xd opened;
-  /// {back node, front node} of three tethers. Each runs from the attachment's rim to the same place of the
-  /// front. They are 120 degrees apart, the first one above the outlet.
+  /// {back node, front node} of three tethers. Each runs from the attachment's rim to the opposite node of
+  /// the front. They are 120 degrees apart, the first one above the outlet.
   std::array<std::array<int, 2>, 3> tether_anchors;
 };
 
-/// Generates the bag. Throws std::invalid_argument, naming the option that is out of the ranges above.
+/// Generates the bag. Throws std::invalid_argument that names an option out of its range.
 DriverBag driver_bag(const DriverBagOptions& options = {});
 
 }  // namespace mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as Fortran writes them.
+// Numbers in Fortran's notation.
 #pragma once
 
 #include <string>
@@ -7,9 +7,8 @@
 
 namespace mesh {
 
-/// The number as C reads it. Fortran writes 1.5D3 for 1.5e3, and leaves the letter out before an exponent of
-/// three digits: 1.234-101. A sign is taken for that of an exponent after digits with a point alone, as
-/// Fortran's are: 5-3 stays as it is.
+/// The number in C's notation. Fortran writes 1.5D3 for 1.5e3, and omits the letter before an exponent of
+/// three digits: 1.234-101. A sign begins an exponent only after digits with a point: 5-3 stays unchanged.
 inline std::string without_fortran_exponent(std::string_view text) {
   std::string number(text);
   for (char& c : number)

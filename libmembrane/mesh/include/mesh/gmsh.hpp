@@ -9,8 +9,7 @@
 
 namespace mesh {
 
-/// Reads Gmsh text (MSH ASCII 2.2 or 4.1); lengths are taken as they stand. `name` is the file's name in
-/// messages.
+/// Reads Gmsh text (MSH ASCII 2.2 or 4.1); lengths are not converted. `name` is the file's name in messages.
 /// - Triangles and quads of first order are elements. Points and lines are skipped.
 /// - A panel is the physical group of an element's surface: its name (blanks and # become _), or
 ///   "physical_<number>". Elements in no group have "surface_<number>".

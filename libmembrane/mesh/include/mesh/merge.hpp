@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that lie on each other become one.
+// Merges nodes that lie on each other.
 #pragma once
 
 #include "mesh/mesh.hpp"
 
 namespace mesh {
 
-/// What merging did.
+/// Result of merging.
 struct MergeReport {
-  int nodes = 0;     // nodes that are gone
-  int elements = 0;  // elements that are gone, because two of their corners became one
+  int nodes = 0;     // nodes removed
+  int elements = 0;  // elements removed because two of their corners became one
 };
 
-/// Joins each node to the first node before it that is at most `tolerance` [m] away and stays; 0 joins nodes
-/// of equal coordinates. Elements with two corners in one are left out, and panels keep their numbers. The
-/// order of nodes and elements stays. Throws std::invalid_argument for a tolerance that is negative or not
-/// finite, for a node number out of range, and for a node that is not finite or too far away for the
-/// tolerance: 2^52 times of it.
+/// Joins each node to the first remaining node before it within `tolerance` [m]; 0 joins nodes of equal
+/// coordinates. Elements with two equal corners are removed; panels keep their numbers, nodes and elements
+/// their order. Throws std::invalid_argument for a tolerance that is negative or not finite, a node number
+/// out of range, and a node that is not finite or whose coordinates exceed 2^52 tolerances.
 MergeReport merge_nodes(Mesh& mesh, double tolerance);
 
-/// Joins nodes of equal coordinates that one element has, as the corners of an element without area, and
-/// leaves out the elements that have a corner twice then. Nodes that lose all their elements go, too; panels
-/// keep their numbers, the order of nodes and elements stays. With `start`, the nodes of a start shape, the
-/// same nodes are taken from it. Returns how many elements are gone. Throws std::invalid_argument for a node
-/// number out of range.
+/// Joins nodes of equal coordinates within one element, and removes elements that then have a corner twice,
+/// and nodes that lose all their elements. Panels keep their numbers, nodes and elements their order. With
+/// `start`, the nodes of a start shape, the same nodes are removed from it. Returns the number of elements
+/// removed. Throws std::invalid_argument for a node number out of range.
 int drop_collapsed(Mesh& mesh, Eigen::Matrix3Xd* start = nullptr);
 
 /// The mesh without the nodes that no element uses. Throws std::invalid_argument for a node number out of

@@ -14,33 +14,33 @@ namespace mesh {
 /// Triangulated surface. Elements are wound counter-clockwise seen from outside (outward orientation).
 struct Mesh {
   Eigen::Matrix3Xd nodes;  // [m] 3 x N, node positions
-  /// [m] 3 x N, of a deck whose stress-free shape, then in `nodes`, is not where its nodes are.
+  /// [m] 3 x N, start positions of a deck with a separate stress-free shape, which is then in `nodes`.
   std::optional<Eigen::Matrix3Xd> start;
   Eigen::Matrix3Xi elements;             // 3 x M, node indices from 0
   std::vector<int> panel;                // M, index into panel_names
   std::vector<std::string> panel_names;  // one name per panel, unique
   /// [M] line of each element in its file, from 1, for messages; empty if the mesh was not read.
   std::vector<int> line;
-  int split_quads = 0;  // quads of the file, each two elements here
-  /// Of a deck: keywords of elements that are no shells, with their number.
+  int split_quads = 0;  // number of quads in the file, each split in two elements
+  /// of a deck: keywords of elements other than shells, with their number.
   std::vector<std::string> other_elements;
-  std::vector<std::filesystem::path> included;  // of a deck: the other files that it was read from
-  std::vector<std::string> skipped;  // all else that is not read: keywords of a deck, arrays of VTK
-  /// Of a deck: what changes the bag's shapes, its fabric or its stress at the start and is not read.
+  std::vector<std::filesystem::path> included;  // of a deck: included files
+  std::vector<std::string> skipped;  // other content that is not read: keywords of a deck, arrays of VTK
+  /// of a deck: content that is not read but changes the bag's shapes, its fabric or its initial stress.
   std::vector<std::string> neglected;
 
   /// N
   int node_count() const { return static_cast<int>(nodes.cols()); }
   /// M
   int element_count() const { return static_cast<int>(elements.cols()); }
-  /// Where the nodes are at the start.
+  /// Positions of the nodes at the start.
   const Eigen::Matrix3Xd& start_nodes() const { return start ? *start : nodes; }
 };
 
 /// Multiplies all lengths.
 void scale(Mesh& mesh, double factor);
 
-/// The mesh with new node i in the place of old node order[i]. Elements, panels and lines keep their order.
+/// The mesh in which node i is the old node order[i]. Elements, panels and lines keep their order.
 /// Precondition: `order` has each node once.
 Mesh renumbered(const Mesh& mesh, const std::vector<int>& order);
 
@@ -63,7 +63,7 @@ std::vector<int> panel_nodes(const Mesh& mesh, std::string_view name);
 /// for an empty mesh or a point that is not finite.
 int nearest_node(const Mesh& mesh, const Eigen::Vector3d& point);
 
-/// Areas of the elements [m2], shape M. This and the figures below throw std::invalid_argument for a node
+/// Areas of the elements [m2], shape M. This and the functions below throw std::invalid_argument for a node
 /// number or a panel index out of range.
 Eigen::VectorXd element_areas(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                               const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
@@ -72,7 +72,7 @@ Eigen::VectorXd element_areas(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
 Eigen::VectorXd panel_areas(const Mesh& mesh);
 
 /// Enclosed volume [m3], V = (1/6) sum x_a . (x_b x x_c) (M.5). It is summed about the first node, so that it
-/// does not depend on the origin to round-off. Positive for outward orientation; meaningful for closed
+/// is independent of the origin to round-off. Positive for outward orientation; meaningful for closed
 /// surfaces only.
 double enclosed_volume(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                        const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
@@ -83,8 +83,8 @@ struct ElementQuality {
   double min_altitude;   // [m] smallest altitude, which governs the critical time step
   double mean_altitude;  // [m] smallest altitude of each element, mean over the elements
   double max_aspect;     // [-] longest edge over smallest altitude (equilateral: 2/sqrt(3))
-  double min_area;       // [m2] of the smallest element
-  double max_area;       // [m2] of the largest
+  double min_area;       // [m2] area of the smallest element
+  double max_area;       // [m2] area of the largest element
 };
 
 /// Shape figures of a mesh. Throws std::invalid_argument for no element, or one whose area is zero or not

@@ -9,12 +9,12 @@
 
 namespace mesh {
 
-/// Reads OFF text (also COFF, NOFF, STOFF); lengths are taken as they stand. `name` is the file's name in
-/// messages. Elements are faces of 3 or 4 corners, quads split as by mesh_of_polygons, in one panel
-/// "default". `#` begins a comment. Nodes that no face uses are left out.
-/// - Mostly a vertex or face has a line of its own. What follows its coordinates or corners there is not
-///   read: normals and colours.
-/// - A file that cannot be read like that is read word by word, wherever its lines end; it has no colours.
+/// Reads OFF text (also COFF, NOFF, STOFF); lengths are not converted. `name` is the file's name in messages.
+/// Elements are faces of 3 or 4 corners, quads split as by mesh_of_polygons, in one panel "default". `#`
+/// begins a comment. Nodes that no face uses are left out.
+/// - Usually each vertex or face has its own line. Normals and colours after its coordinates or corners are
+///   not read.
+/// - If that fails, the file is read word by word, with any line ends; it then has no colours.
 ///
 /// Throws MeshFileError, with line and column, for binary files, other dimensions, node numbers out of range,
 /// numbers that are not finite, and more or fewer items than the header announces.

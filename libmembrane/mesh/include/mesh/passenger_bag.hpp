@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passenger airbag: a main panel wrapped round two side panels, with attachment, vent and strap anchors
-// named.
+// Passenger airbag: a main panel wrapped round two side panels, with named attachment, vent and strap
+// anchors.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh from nodes and polygons, as readers of other programs' formats give them.
+// A mesh from nodes and polygons, for readers of other programs' formats.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 namespace mesh {
 
 /// Mesh of polygons with 3 or 4 corners, node numbers from 0, in one panel "default". Quads are split along
-/// the shorter diagonal, or along the other one if that is a side of a polygon or of another quad's halves
-/// (nodes of one position count as one); nodes that no polygon uses are left out. Throws
+/// the shorter diagonal, or along the longer one if the shorter is already a side of a polygon or of a half
+/// of another quad (nodes at one position count as one). Nodes that no polygon uses are left out. Throws
 /// std::invalid_argument, naming the polygon by its number from 0, for another number of corners, a node that
 /// is out of range, and a node that is not finite; also if there is no polygon.
 Mesh mesh_of_polygons(const Eigen::Matrix3Xd& nodes, const std::vector<std::vector<int>>& polygons);

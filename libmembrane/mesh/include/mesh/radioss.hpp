@@ -9,9 +9,9 @@
 
 namespace mesh {
 
-/// Reads a starter deck; lengths are taken as they stand, whatever units /BEGIN names. `name` is the file's
-/// name in messages. The text begins with /BEGIN and ends with /END; without /END it counts as truncated.
-/// Lines that begin with `#` or `$` are comments, but for `#include NAME`, which `included` reads.
+/// Reads a starter deck; lengths are not converted; units in /BEGIN are ignored. `name` is the file's name in
+/// messages. The text begins with /BEGIN and ends with /END; without /END it is refused as truncated. Lines
+/// that begin with `#` or `$` are comments, except `#include NAME`, which `included` reads.
 ///
 /// Cards are in columns, 10 for a number and 20 for a coordinate:
 /// - /NODE: number, x, y, z;
@@ -19,10 +19,10 @@ namespace mesh {
 ///   diagonal;
 /// - /SH3N/part: number, n1 to n3;
 /// - /PART/number: a title line;
-/// - /XREF/part: a title, Nitrs, then cards as of /NODE: places in the stress-free shape, Mesh::nodes;
-///   Mesh::start then has those of /NODE;
-/// - /REFSTA: the name of a file of such cards, by default that of the run and RS0; then Nitrs and the file's
-///   format, 1 for columns of 8 and 16;
+/// - /XREF/part: a title, Nitrs, then cards like those of /NODE with the stress-free shape, Mesh::nodes;
+///   Mesh::start then has the positions of /NODE;
+/// - /REFSTA: the name of a file with such cards, by default the run's name and RS0; then Nitrs and the
+///   file's format, 1 for columns of 8 and 16;
 /// - /EREF/SHELL/part, /EREF/SH3N/part: a title, then shells with the nodes at which their corners are.
 ///
 /// A deck for both programs begins with the engine's part, up to /END/ENGINE, which is not read.

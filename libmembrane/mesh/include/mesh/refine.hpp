@@ -8,12 +8,12 @@
 
 namespace mesh {
 
-/// Most elements that refine makes.
+/// Largest number of elements that refine makes.
 inline constexpr int kMostElements = 10'000'000;
 
 /// Splits every element in four at the midpoints of its sides. Volume, area and panels stay; lengths halve.
-/// Midpoints lie on the old elements, so a curved design shape is not followed more closely; a generator with
-/// more cells does that. Old nodes keep their numbers, and new ones follow in the order of the elements. So
+/// Midpoints lie on the old elements, so the mesh comes no closer to a curved design shape; a generator with
+/// more cells does. Old nodes keep their numbers, and new ones follow in the order of the elements, so that
 /// the same elements with other nodes (an initial shape) are refined alike.
 ///
 /// In `rim_only_panels` (null panels) only the sides on the rim are split, so they get no node inside. Throws

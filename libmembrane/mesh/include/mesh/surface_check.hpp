@@ -26,7 +26,7 @@ struct SurfaceReport {
   std::vector<int> non_finite_nodes;          // nodes with a coordinate that is not finite
   std::vector<EdgeFault> boundary_edges;      // edges of only one element: a hole
   std::vector<EdgeFault> non_manifold_edges;  // edges of more than two elements
-  std::vector<EdgeFault> inconsistent_edges;  // edges that two elements run along in the same direction
+  std::vector<EdgeFault> inconsistent_edges;  // edges that two elements pass in the same direction
   std::vector<int> pinched_nodes;             // nodes whose elements form more than one fan
   std::vector<int> unused_nodes;              // nodes of no element
   /// Elements of each edge-connected component; empty if there is only one.
@@ -34,8 +34,8 @@ struct SurfaceReport {
   bool empty = false;   // no element at all
   bool inward = false;  // closed, but the enclosed volume is <= 0
   bool flat = false;    // closed, but the enclosed volume is 0 to rounding
-  /// [m3] Enclosed volume; NaN unless the surface is closed and consistently oriented: that of an open one
-  /// depends on the origin.
+  /// [m3] enclosed volume; NaN unless the surface is closed and consistently oriented, as the volume of an
+  /// open one depends on the origin.
   double volume = std::numeric_limits<double>::quiet_NaN();
 
   /// True if `volume` was computed.
