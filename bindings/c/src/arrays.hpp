@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of a caller as the libraries take them: without a copy where the layout allows it.
+// Arrays of a caller for the libraries, without a copy if the layout allows it.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,19 +11,19 @@
 
 namespace border {
 
-/// Refuses a count that is negative or does not fit into an int; 0 too unless allowed.
+/// Refuses a count below `least` or too large for an int.
 int count_of(int64_t count, std::string_view argument, int64_t least = 0);
-/// Refuses another count than `wanted`.
+/// Refuses a count other than `wanted`.
 void require_count(int64_t count, int64_t wanted, std::string_view argument);
 
-/// Rows of three doubles: a view where the components lie side by side, else a copy.
+/// Rows of three doubles: a view if the components are adjacent, otherwise a copy.
 class Points {
  public:
   using View = Eigen::Ref<const Eigen::Matrix3Xd, 0, Eigen::OuterStride<>>;
-  /// Refuses NULL, strides that no memory has, and a coordinate that is not finite, by its row.
+  /// Refuses NULL, impossible strides, and a coordinate that is not finite, with its row.
   Points(const double* data, int64_t count, const int64_t* stride, std::string_view argument);
-  /// Reads the rows of `only` alone, each below `count`; the view's other rows may hold anything. Without
-  /// `finite` their coordinates are left to the caller.
+  /// Reads only the rows `only`, each below `count`; the view's other rows may have any content. Without
+  /// `finite` the caller checks the coordinates.
   Points(const double* data, int64_t count, const int64_t* stride, std::string_view argument,
          std::span<const int> only, bool finite = true);
   Points(const Points&) = delete;
@@ -35,7 +35,7 @@ class Points {
   View view_;
 };
 
-/// Rows of three node numbers from 0, copied. Refuses a number that is no node's, by its row.
+/// Rows of three node numbers from 0, copied. Refuses a number that is not a node, with its row.
 Eigen::Matrix3Xi triangles_of(const int32_t* data, int64_t count, const int64_t* stride, int64_t node_count);
 
 /// Element or node numbers; NULL with count 0.

@@ -82,7 +82,7 @@ void release(gasjet_handle handle) {
     throw Failure(GASJET_BUSY, "handle: is used by another thread, allowed: to free it afterwards");
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
-  all.objects.erase(handle);  // stays busy: whoever found it just before is told so
+  all.objects.erase(handle);  // stays busy, so that a thread that found it just before gets an error
 }
 
 std::string text(const char* pointer, std::string_view argument) {
@@ -145,7 +145,7 @@ void write_text(const std::string& value, char* to, int64_t size, std::string_vi
 
 void write_sized(const std::string& value, char* to, int64_t size, int64_t* needed_size) {
   needed(needed_size, "needed") = static_cast<int64_t>(value.size()) + 1;
-  if (to == nullptr && size == 0) return;  // asks for the size
+  if (to == nullptr && size == 0) return;  // the caller asks for the size
   write_text(value, to, size, "text");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every function of the border does: exceptions become a status and a text, handles become objects.
+// Common to all functions of the border: exceptions become a status and a text, handles become objects.
 #pragma once
 
 #include <gasjet/base.h>
@@ -21,7 +21,7 @@
 
 namespace border {
 
-/// Bad input; what() is `argument: what, allowed`.
+/// Bad input; what() is `argument: fault, allowed values`.
 struct Refusal : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
@@ -35,13 +35,13 @@ struct Failure : std::runtime_error {
 
 /// The text of this thread's last failure.
 const char* last_error() noexcept;
-/// Sets it and returns the status; cuts what is longer than the room for it.
+/// Sets it and returns the status. A text that is too long is cut.
 int fail(int status, const char* what) noexcept;
-/// The exception that is being handled, as a status.
+/// Status of the exception that is being handled.
 int fail_by_exception() noexcept;
 
-/// Runs a function of the interface, in the default floating-point environment: nothing is thrown out of it.
-/// It may take the environment, to call the caller back.
+/// Runs a function of the interface in the default floating-point environment, and lets no exception out. The
+/// function may take the environment as an argument, for callbacks.
 template <class F>
 int call(F&& f) noexcept {
   Environment environment;
@@ -56,22 +56,23 @@ int call(F&& f) noexcept {
   }
 }
 
-/// What a handle stands for. Those that calls change are used by one thread at a time.
+/// The object of a handle. An object that calls change is used by one thread at a time.
 struct Object {
   virtual ~Object() = default;
   std::atomic_flag busy = ATOMIC_FLAG_INIT;
 };
 
-/// Handles of this library are above; each library has its own, so that one of another is refused.
+/// Handles of this library are larger. Each library has its own range, so that it refuses another library's
+/// handle.
 extern const gasjet_handle kHandlesBegin;
 
 gasjet_handle keep(std::shared_ptr<Object> object);
-/// Refuses what is no handle. `argument` names it.
+/// Finds an object; refuses an invalid handle. `argument` is its name in messages.
 std::shared_ptr<Object> find(gasjet_handle handle, std::string_view argument);
-/// Refuses what is no handle, or in use.
+/// Releases an object; refuses a handle that is invalid or in use.
 void release(gasjet_handle handle);
 
-/// The object of a handle during a call; alone, unless Type::shared.
+/// The object of a handle during a call, locked unless Type::shared.
 template <class Type>
 class Use {
  public:
@@ -97,7 +98,7 @@ class Use {
   bool locked_ = false;
 };
 
-/// Pointer arguments: not NULL, and an address where such a value can begin.
+/// Checks a pointer argument: not NULL, and aligned.
 template <class T>
 T& needed(T* pointer, std::string_view argument) {
   if (pointer == nullptr) refuse(argument, "is NULL, allowed: an address");
@@ -107,7 +108,7 @@ T& needed(T* pointer, std::string_view argument) {
 }
 std::string text(const char* pointer, std::string_view argument);
 std::string text_or(const char* pointer, const char* otherwise);
-/// A file or folder: a text that is not empty.
+/// The path of a file or folder, a text that is not empty.
 std::string path(const char* pointer, std::string_view argument);
 /// "" for NULL.
 std::string path_or_none(const char* pointer, std::string_view argument);
@@ -121,7 +122,7 @@ double positive(double value, std::string_view argument);
 inline std::string not_finite(std::string_view name) {
   return std::string(name) + ": is not finite, allowed: inputs that keep it below 1e308";
 }
-/// Gives back a result, a number or a structure of numbers; GASJET_DOMAIN if one of them is not finite.
+/// Returns the result, a number or a structure of numbers; GASJET_DOMAIN if one is not finite.
 template <class Result>
 const Result& finite(const Result& result, std::string_view name) {
   static_assert(std::is_trivially_copyable_v<Result> && sizeof(Result) % sizeof(double) == 0);
@@ -132,7 +133,7 @@ const Result& finite(const Result& result, std::string_view name) {
   return result;
 }
 
-/// Writes `value` with a closing 0 into a caller's text; refuses a size that does not hold it.
+/// Writes `value` with a closing 0 into a caller's text; refuses a size that is too small.
 void write_text(const std::string& value, char* to, int64_t size, std::string_view argument);
 /// The same for a text whose size the caller may ask for.
 void write_sized(const std::string& value, char* to, int64_t size, int64_t* needed_size);
@@ -141,7 +142,7 @@ void write_sized(const std::string& value, char* to, int64_t size, int64_t* need
 std::string_view trim(std::string_view text);
 /// A number as a message shows it.
 std::string shown(double value);
-/// The number that a text is, with a decimal point in every locale; NaN if it is none.
+/// The number in a text, with a decimal point in every locale; NaN if it is not a number.
 double number_in(std::string_view text);
 
 }  // namespace border

@@ -34,7 +34,7 @@ FloatingPoint FloatingPoint::now() noexcept {
 
 void FloatingPoint::set() const noexcept {
   if (((x87_status() ^ x87_status_) & kX87Flags) != 0) {  // only long double sets them
-    set_x87_control(kX87Default);                         // a flag whose trap is on ends the program
+    set_x87_control(kX87Default);                         // a flag with its trap on would end the program
     asm volatile("fnclex" : : : "memory");
     const std::fexcept_t flags = x87_status_;
     if ((flags & FE_ALL_EXCEPT) != 0) std::fesetexceptflag(&flags, FE_ALL_EXCEPT);

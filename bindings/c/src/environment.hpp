@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The floating-point environment of the library: the default one, whatever the caller's traps, rounding and
-// flush to zero are. The caller's modes and flags are as before afterwards.
+// The floating-point environment of the library: the default, for any traps, rounding and flush to zero of
+// the caller. Afterwards the caller's modes and flags are restored.
 #pragma once
 
 #include <cfenv>

@@ -31,10 +31,10 @@ struct Table : Object {
     return static_cast<std::size_t>(number);
   }
   std::vector<std::string> columns;
-  std::vector<std::vector<double>> values;  // of each column
+  std::vector<std::vector<double>> values;  // values of each column
 };
 
-/// GSL's own handler ends the program; a closed form refuses what is no number.
+/// GSL's own handler would end the program; closed forms check their results.
 void quiet_gsl() {
   static std::once_flag once;
   std::call_once(once, [] { gsl_set_error_handler_off(); });

@@ -19,7 +19,7 @@ using namespace border;
 
 namespace {
 
-/// Refuses sizes of which one would go unread.
+/// Refuses sizes that the shape does not use.
 void check_sizes(const gasjet_jet_model& given) {
   const bool round = !std::isnan(given.radius);
   const bool sides = !std::isnan(given.short_side) || !std::isnan(given.long_side);
@@ -69,9 +69,9 @@ void write_counters(const jet::VisibilityCounters& from, gasjet_visibility* to) 
          static_cast<int64_t>(from.hidden), static_cast<int64_t>(from.facing_away)};
 }
 
-/// What jet and surface are made from.
+/// Input of jet and surface.
 struct Skin {
-  /// Making it takes memory for each node: a count that is wrong is not to take the machine's.
+  /// Checks the count first: a wrong one could use up the memory.
   static int64_t checked(int64_t nodes, int64_t triangle_count) {
     const int64_t most =
         3 * std::clamp<int64_t>(triangle_count, 0, std::numeric_limits<int>::max()) + kOtherNodes;
@@ -80,7 +80,7 @@ struct Skin {
                                " with so many triangles");
     return nodes;
   }
-  static constexpr int64_t kOtherNodes = 20'000'000;  // of other parts of the user's model
+  static constexpr int64_t kOtherNodes = 20'000'000;  // nodes of other parts of the user's model
 
   Skin(const int32_t* data, int64_t count, const int64_t* stride, int64_t nodes, const int32_t* null_elements,
        int64_t null_count, const int32_t* attachment_elements, int64_t attachment_count)
@@ -93,7 +93,7 @@ struct Skin {
     named.erase(std::unique(named.begin(), named.end()), named.end());
   }
 
-  /// A call reads the nodes that a triangle names, and no other.
+  /// A call reads only the nodes of triangles.
   Points points(const double* nodes, int64_t count, const int64_t* stride, bool finite) const {
     require_count(count, node_count, "nodes");
     return {nodes, count, stride, "nodes", named, finite};
@@ -101,7 +101,7 @@ struct Skin {
 
   Eigen::Matrix3Xi triangles;
   jet::SurfaceRoles roles;
-  std::vector<int> named;  // nodes
+  std::vector<int> named;  // nodes of triangles
   int64_t node_count;
 };
 
@@ -117,7 +117,7 @@ struct Surface : Object {
 
   Skin skin;
   jet::VisibilityQuery query;
-  std::vector<int> all;  // elements
+  std::vector<int> all;  // all elements
 };
 
 struct Jet : Object {
@@ -282,7 +282,7 @@ int gasjet_surface_visible(gasjet_handle surface, const double nodes[], int64_t 
   return call([&] {
     const Use<Surface> use(surface, "surface");
     const Points points =
-        use->skin.points(nodes, node_count, node_stride, false);  // the query looks at those it needs
+        use->skin.points(nodes, node_count, node_stride, false);  // the query checks the nodes that it needs
     const auto from = source_of(source);
     const auto asked = candidates_of(*use, candidates, candidate_count);
     const auto out = output(lit, lit_count, static_cast<int64_t>(asked.size()), "lit");

@@ -26,7 +26,7 @@ namespace {
 /// Columns of a table, by name and values.
 struct Table {
   std::vector<driver::Column> columns;
-  std::vector<std::vector<double>> values;  // of each column
+  std::vector<std::vector<double>> values;  // values of each column
 
   explicit Table(std::vector<driver::Column> given) : columns(std::move(given)), values(columns.size()) {}
   void record(const driver::Scene& scene, const driver::State& state) {
@@ -50,7 +50,7 @@ struct Run : Object {
   std::string summary;
 };
 
-/// Parts of a text that are not empty, without blanks and the returns of CRLF around them.
+/// The non-empty parts of a text, without blanks and carriage returns around them.
 std::vector<std::string> parts_of(const std::string& text, char separator) {
   std::vector<std::string> parts;
   std::istringstream stream(text);
@@ -59,7 +59,7 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return parts;
 }
 
-/// Asks the callback now and then; an exception out of it stops the run.
+/// Calls the callback now and then. An exception in it stops the run.
 class Callback {
  public:
   Callback(gasjet_progress function, void* user, double end, Environment& environment)
@@ -103,7 +103,7 @@ driver::CaseDocument document_of(const Order& order, const char* case_text) {
   return driver::CaseDocument::of_text(case_text, order.file, order.overrides);
 }
 
-/// Runs, with the command's files if a folder is named; `run` takes the tables and the summary in any case.
+/// Runs a scene. If a folder is given, writes the command's files. `run` gets tables and summary in any case.
 driver::RunOutcome run_scene(const driver::Scene& scene, const driver::CaseDocument& document,
                              const Order& order, Callback& callback, Run& run) {
   const auto lines = driver::provenance(order.file, order.overrides);
@@ -129,7 +129,7 @@ driver::RunOutcome run_scene(const driver::Scene& scene, const driver::CaseDocum
   return outcome;
 }
 
-/// What the outcome is to the caller; the run is kept in any case.
+/// Turns the outcome into a status; the run is kept in any case.
 void judge(const driver::RunOutcome& outcome, const Callback& callback) {
   if (callback.thrown())
     throw Failure(GASJET_STOPPED, "progress: threw an exception, allowed: to return a number");
@@ -147,7 +147,7 @@ std::size_t column_of(const Table& table, int64_t column) {
   return static_cast<std::size_t>(column);
 }
 
-/// The driver's own kinds of error as those of the border.
+/// Calls f; turns the driver's errors into errors of the border.
 template <class F>
 int call_driver(F&& f) {
   return call([&](Environment& environment) {

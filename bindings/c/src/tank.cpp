@@ -12,7 +12,7 @@ using namespace border;
 
 namespace {
 
-/// A gas in the numbering of the tank, which has more species.
+/// Mass fractions of a gas in the numbering of the tank, which has more species.
 std::vector<double> fractions_in(const gas::Thermo& all, const Gas& gas) {
   std::vector<double> fractions(all.size(), 0.0);
   for (std::size_t k = 0; k < gas.thermo.size(); ++k)
@@ -24,7 +24,7 @@ bool same(const gas::Species& a, const gas::Species& b) {
   return a.molar_mass == b.molar_mass && a.low == b.low && a.high == b.high && a.constant_cp == b.constant_cp;
 }
 
-/// Adds those of a gas that are not there yet.
+/// Adds the species of a gas that are missing.
 void add_species(const Gas& gas, std::vector<gas::Species>& species) {
   for (std::size_t k = 0; k < gas.thermo.size(); ++k) {
     const gas::Species& one = gas.thermo.species(k);
@@ -43,7 +43,7 @@ struct Flow {
   double start_time;
 };
 
-/// What a tank is made of, as the calls gave it.
+/// Parts of a tank, as given by calls.
 struct Parts {
   std::shared_ptr<const Gas> gas;
   double pressure, temperature, volume;
@@ -51,7 +51,7 @@ struct Parts {
   gas::IntegratorOptions options;
   std::vector<Flow> inflows;
   std::vector<gas::Vent> vents;  // without triggers
-  std::vector<double> opens_at;  // [Pa] of each
+  std::vector<double> opens_at;  // [Pa] opening pressure of each
   double leak_area = 0.0;        // [m2]
 };
 
@@ -71,7 +71,7 @@ gas::ControlVolumeModel model_of(const Parts& parts) {
   return model;
 }
 
-/// A tank with its parts, model, state and sums. Adding a part makes it anew.
+/// A tank with its parts, model, state and sums. Adding a part rebuilds it.
 struct Tank : Object {
   explicit Tank(Parts given)
       : parts(std::move(given)),
@@ -122,7 +122,7 @@ struct Tank : Object {
   gasjet_tank_balance sums{};
 };
 
-/// Adds a part to a tank that has not begun; as it was if the part is refused.
+/// Adds a part to a tank that has not begun. If the part is refused, the tank is unchanged.
 template <class Add>
 int add_part(gasjet_handle tank, Add&& add) {
   return call([&] {

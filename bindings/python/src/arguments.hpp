@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of a module whose refusals name the argument, which pybind11's own do not.
+// Functions of a module whose errors name the argument; pybind11's own do not.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 using Indices = py::array_t<int32_t, py::array::c_style | py::array::forcecast>;
 
-/// What Python is to give for an argument of type A.
+/// Description of the Python values for an argument of type A.
 template <class A>
 std::string allowed() {
   if constexpr (std::is_same_v<A, bool>) return "True or False";
@@ -23,7 +23,7 @@ std::string allowed() {
   return "an object or array of the kind that its function names";
 }
 
-/// A value as a message shows it: itself if that is short, else its type.
+/// A value in a message: itself if short, otherwise its type.
 inline std::string shown(py::handle given) {
   try {
     const auto text = py::repr(given).cast<std::string>();
@@ -33,7 +33,7 @@ inline std::string shown(py::handle given) {
   return std::string("a ") + Py_TYPE(given.ptr())->tp_name;
 }
 
-/// Lists and the like as arrays; None alone where that is a value.
+/// Converts lists and the like to arrays. None is accepted only where it is a value.
 template <class A>
 void load(py::detail::make_caster<A>& caster, py::handle given, const char* name) {
   using Text = std::string;
@@ -50,7 +50,7 @@ void load(py::detail::make_caster<A>& caster, py::handle given, const char* name
   wrong_type(name, "is " + shown(given) + ", allowed: " + allowed<A>());
 }
 
-/// m.def of a function with its arguments' names, all to be given by position.
+/// m.def of a function with positional arguments of these names.
 template <class R, class... A, std::size_t count>
 void def(py::module_& m, const char* name, R (*function)(A...), const char* const (&names)[count]) {
   static_assert(count == sizeof...(A));

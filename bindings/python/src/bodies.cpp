@@ -79,7 +79,7 @@ py::tuple jet_pressure(const Handle& jet, int64_t elements, const py::object& no
   return py::make_tuple(pressure, force, counters_of(seen));
 }
 
-/// Faults by name, and the findings in prose.
+/// Faults by name, and a description in prose.
 py::dict check_surface(const py::object& nodes, const py::object& elements) {
   const Points x = points(nodes, "nodes");
   const Triangles t = triangles(elements);

@@ -13,12 +13,12 @@
 
 namespace py = pybind11;
 
-/// Python's exception of a status, from the package `gasjet`.
+/// Raises the exception of a status, from the package `gasjet`.
 inline void raise(int status, const char* message) {
   if (status == GASJET_OK) return;
   const char* names[] = {"", "", "InputError", "DomainError", "BusyError", "StoppedError", "Error"};
   const py::object type = py::module_::import("gasjet.errors").attr(names[status]);
-  // What the user gave may be no UTF-8.
+  // The user's text may not be UTF-8.
   const auto text = py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(message, static_cast<py::ssize_t>(std::strlen(message)), "backslashreplace"));
   PyErr_SetObject(type.ptr(), text.ptr());
@@ -30,7 +30,7 @@ inline void raise(int status, const char* message) {
   throw py::error_already_set();
 }
 
-/// Rows of three, or a vector, of Number: what NumPy holds, without a copy. Lists and the like are converted.
+/// Rows of three, or a vector, of Number. NumPy arrays are not copied; lists and the like are converted.
 template <class Number>
 struct Rows {
   Rows(const py::object& given, const char* argument, const char* dtype) {
@@ -57,7 +57,7 @@ struct Rows {
                    "has a stride of " + std::to_string(bytes) + " bytes, allowed: whole numbers apart");
       stride[static_cast<std::size_t>(i)] = bytes / static_cast<py::ssize_t>(sizeof(Number));
     }
-    // A row or a column of a broadcast array leads nowhere else.
+    // Copies broadcast arrays, whose stride is 0.
     if (count() <= 1 || stride[0] == 0 || stride[1] == 0)
       array = py::array_t<Number, py::array::c_style | py::array::forcecast>(array), stride = {3, 1};
   }
@@ -68,7 +68,7 @@ struct Rows {
   std::array<int64_t, 2> stride{};
 };
 
-/// A read-only view of numbers that `owner` keeps.
+/// A read-only view of numbers owned by `owner`.
 inline py::array view(const double* values, int64_t count, const py::object& owner) {
   py::array_t<double> array(count, values, owner);
   array.attr("setflags")(py::arg("write") = false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// gasjet._exact: gasjet_exact.h for Python. It links GSL (GPL), so it is loaded where a closed form is asked
-// for alone.
+// gasjet._exact: gasjet_exact.h for Python. It links GSL (GPL), so it is loaded only if a closed form is
+// asked for.
 #include <gasjet_exact.h>
 
 #include <memory>

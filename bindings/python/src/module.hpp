@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the parts of gasjet._gasjet share.
+// Shared by the parts of gasjet._gasjet.
 #pragma once
 
 #include <gasjet.h>
@@ -30,7 +30,7 @@ inline void check(int status) {
   if (status != GASJET_OK) raise(status, gasjet_last_error());
 }
 
-/// A handle that Python owns.
+/// A handle owned by Python.
 struct Handle {
   explicit Handle(gasjet_handle given) : value(given) {}
   Handle(const Handle&) = delete;

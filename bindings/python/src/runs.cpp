@@ -4,7 +4,8 @@
 
 namespace {
 
-/// What a run calls: Python's signals first, then the user's function. Its exception stops the run.
+/// Callback of a run: handles Python's signals first, then calls the user's function. An exception stops the
+/// run.
 struct Watcher {
   py::object function;
   std::optional<py::error_already_set> raised;
@@ -23,7 +24,7 @@ struct Watcher {
   }
 };
 
-/// Every column of a table by name; views into the run.
+/// Every column of a table by name, as views into the run.
 py::dict table(const py::object& run, gasjet_handle handle, int number) {
   int64_t columns = 0, rows = 0;
   check(gasjet_run_size(handle, number, &columns, &rows));
@@ -47,15 +48,15 @@ std::string summary(gasjet_handle run) {
   return text;
 }
 
-/// What was raised in a call, or None.
+/// The exception of a call, or None.
 py::object exception_of(const std::optional<py::error_already_set>& raised) {
   if (!raised) return py::none();
   if (raised->trace()) PyException_SetTraceback(raised->value().ptr(), raised->trace().ptr());
   return raised->value();
 }
 
-/// status, message, history, energy, summary and what the watcher raised; with a run that left its domain or
-/// was stopped what it has.
+/// Returns status, message, history, energy, summary and the watcher's exception. A run that left its domain
+/// or was stopped returns its results so far.
 py::tuple run(const std::string& file, const std::optional<std::string>& text, const std::string& overrides,
               const std::optional<std::string>& out, int threads, const py::object& progress) {
   Watcher watcher{progress, {}};

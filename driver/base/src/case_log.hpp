@@ -6,14 +6,15 @@
 namespace driver {
 
 struct CaseLog {
-  std::filesystem::path folder;              // of the case file; files it names stand beside it
+  std::filesystem::path folder;              // folder of the case file; files named in the case are relative
+                                             // to it
   std::vector<Setting> settings;             // in the order of reading
-  std::vector<std::filesystem::path> files;  // that the case names, those read so far
-  std::vector<KnownKey> keys;                // that the program has asked for, in that order
-  std::set<std::string> may_be_absent;       // paths that TableReader::has has been asked for
+  std::vector<std::filesystem::path> files;  // files named in the case, read so far
+  std::vector<KnownKey> keys;                // keys that the program has asked for, in that order
+  std::set<std::string> may_be_absent;       // paths passed to TableReader::has
 };
 
-/// `key` as a part of a path: bare if it is a word, else quoted.
+/// `key` as a part of a path; quoted unless it is a word.
 std::string path_key(const std::string& key);
 
 /// `allowed`, with the unit in brackets if there is one.

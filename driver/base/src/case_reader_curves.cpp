@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves and compositions of a case file, and curves that stand in a CSV beside it.
+// Curves and compositions of a case file, and curves in a CSV file.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -95,7 +95,7 @@ std::map<std::string, double> KeyReader::composition() {
     const std::string name(key.str());
     sum += fractions[name] = reader.at(name).number(positive_fraction);
   }
-  // Fractions are typed by hand: nine digits tell a slip from rounding.
+  // Fractions are typed by hand: nine digits distinguish a slip from rounding.
   if (std::abs(sum - 1.0) > 1e-9) fail(fmt::format("fractions sum to {}, 1 is allowed", sum));
   return fractions;
 }

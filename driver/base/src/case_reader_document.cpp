@@ -13,9 +13,9 @@
 namespace driver {
 namespace {
 
-constexpr std::size_t most_parts = 100;  // of a dotted key: tables within tables are read by recursion
+constexpr std::size_t most_parts = 100;  // in a dotted key; nested tables are read by recursion
 
-// The longest dotted key, or 0: dots between words outside of quotes and comments.
+// Number of parts of the longest dotted key, outside quotes and comments; 0 if there is none.
 std::size_t longest_key(std::string_view line) {
   std::size_t dots = 0, most = 0;
   char quote = 0;
@@ -60,7 +60,7 @@ std::string option_of(const std::string& override_text) {
   return "--set " + shortened(override_text);
 }
 
-// The value of an override: TOML if it parses as TOML, else a string.
+// The value of an override: TOML if it parses, otherwise a string.
 toml::table parse_override_value(const std::string& override_text, const std::string& value) {
   const std::string name = option_of(override_text);
   try {
@@ -68,7 +68,7 @@ toml::table parse_override_value(const std::string& override_text, const std::st
     if (parsed.size() != 1) throw CaseError(fmt::format("{}: one value is allowed", name));
     return parsed;
   } catch (const toml::parse_error& error) {
-    // Only a bare word is meant as a string.
+    // Only a bare word becomes a string.
     if (value.empty() || !(std::isalpha(static_cast<unsigned char>(value[0])) || value[0] == '_'))
       throw CaseError(fmt::format("{}: {}", name, error.description()));
     std::string quoted = "value = \"";
@@ -81,7 +81,7 @@ toml::table parse_override_value(const std::string& override_text, const std::st
   }
 }
 
-// Where the path of an override ends: its first = outside quotes.
+// End of an override's path: the first = outside quotes.
 std::size_t end_of_path(const std::string& text) {
   bool inside = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -105,7 +105,7 @@ std::string joined(const Path& parts, std::size_t begin, std::size_t end) {
   return shortened(path);
 }
 
-// An entry of a list that the case does not have.
+// Throws CaseError for an entry of a list that the case does not have.
 void require_list(const toml::node& parent, const Path& parts, std::size_t i,
                   const std::string& override_text) {
   if (!parts[i + 1].index || !parent.is_table() || parent.as_table()->contains(parts[i].key)) return;
@@ -113,13 +113,13 @@ void require_list(const toml::node& parent, const Path& parts, std::size_t i,
       fmt::format("{}: the case has no [[{}]]", option_of(override_text), joined(parts, 0, i + 1)));
 }
 
-// The entry of a list that part i of a path names. Throws CaseError with the paths that name one.
+// The entry of a list that part i of a path names. Throws a CaseError that shows valid paths.
 std::size_t entry_of(const toml::array& list, const Path& parts, std::size_t i, const std::string& option) {
   const auto& index = parts[i].index;
   if (index && *index < list.size()) return *index;
   const std::string head = joined(parts, 0, i);
   if (list.empty()) throw CaseError(fmt::format("{}: {} is an empty list", option, head));
-  // Behind the number; a key in its place means one of the entry.
+  // The parts after the number. Without a number, part i is already a key of the only entry.
   const std::size_t begin = index || !list[0].is_table() ? i + 1 : i;
   const std::string tail = begin < parts.size() ? "." + joined(parts, begin, parts.size()) : "";
   const auto with = [&](std::size_t number) { return fmt::format("{}.{}{}", head, number, tail); };
@@ -129,8 +129,8 @@ std::size_t entry_of(const toml::array& list, const Path& parts, std::size_t i, 
                        : fmt::format("{} to {} are allowed", with(0), with(list.size() - 1))));
 }
 
-// The node that part i of a path names inside `parent`; a missing table is made, for the strict reader to
-// judge.
+// The node that part i of a path names inside `parent`. Makes a missing table; the strict reader checks it
+// later.
 toml::node& descend(toml::node& parent, const Path& parts, std::size_t i, const std::string& override_text) {
   const std::string& key = parts[i].key;
   if (auto* table = parent.as_table()) {
@@ -200,7 +200,7 @@ bool has_nul(std::string_view text) {
   return text.find('\0') != std::string_view::npos;
 }
 
-// A text of a case ends at a NUL wherever the system or a message takes it.
+// Throws CaseError for a NUL in a text: system calls and messages would end there.
 void refuse_nul(const toml::node& node, const std::string& key) {
   const auto* text = node.as_string();
   if (has_nul(key) || (text && has_nul(text->get()))) {

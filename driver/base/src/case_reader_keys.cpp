@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of keys; curves and compositions are in curves.cpp.
+// The values of keys, except curves and compositions (case_reader_curves.cpp).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -108,7 +108,7 @@ std::string KeyReader::text(const std::string& fallback) {
 }
 
 std::string file_name(TableReader& table, const std::string& key, const std::string& fallback) {
-  constexpr std::size_t longest = 255;  // of Linux' file systems
+  constexpr std::size_t longest = 255;  // limit of Linux file systems
   std::string name = table.at(key).text(fallback);
   const auto is_barred = [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == 0x7f; };
   if (name.empty() || name == "." || name == ".." || name.size() > longest ||
@@ -164,7 +164,7 @@ Eigen::Vector3d KeyReader::vector_of(const toml::node& node) {
   const auto values = numbers_of(node, any_number);
   if (values.size() != 3) fail(fmt::format("has {} numbers, 3 are needed", values.size()));
   for (const double x : values)
-    if (x != 0.0 && !(std::abs(x) >= 1e-100 && std::abs(x) <= 1e100))  // products stay normal numbers
+    if (x != 0.0 && !(std::abs(x) >= 1e-100 && std::abs(x) <= 1e100))  // so that products stay normal numbers
       fail(fmt::format("has {}, allowed: 0, or a magnitude of 1e-100 to 1e100", x));
   return {values[0], values[1], values[2]};
 }

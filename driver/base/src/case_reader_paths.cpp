@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths of settings: keys that are no bare words stand in quotes, so that they differ from numbers of
-// elements.
+// Paths of settings. Keys that are not bare words are quoted, so that they differ from numbers of elements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,8 +17,7 @@ std::optional<std::size_t> as_index(const std::string& text) {
   return index;
 }
 
-// The key that begins with the quote at path[i]; i then stands behind its closing quote. Empty if there is
-// none.
+// The quoted key that begins at path[i]; moves i past its closing quote. Empty if that is missing.
 std::string unquoted(const std::string& path, std::size_t& i) {
   std::string key;
   for (++i; i < path.size() && path[i] != '"'; ++i) {
@@ -55,7 +53,9 @@ std::string shortened(const std::string& text) {
   constexpr std::size_t longest = 200;
   if (text.size() <= longest) return text;
   std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // not within a letter
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
+    --end;  // do not cut within a
+            // letter
   return text.substr(0, end) + "...";
 }
 

@@ -20,9 +20,9 @@ std::string location(const toml::source_region& source, const std::string& other
   return fmt::format("{}:{}:{}", *source.path, source.begin.line, source.begin.column);
 }
 
-constexpr std::size_t most_tables = 1000;  // of one list: some work is for each pair of them
+constexpr std::size_t most_tables = 1000;  // in one list: some work grows with the number of pairs
 
-// Insertions, deletions, changes and swaps of neighbours that make `a` of `b`.
+// Number of insertions, deletions, changes and swaps of neighbours that turn `b` into `a`.
 std::size_t edits(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, last, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -107,7 +107,7 @@ const toml::node* TableReader::find(const std::string& key, const std::string& u
   return table_->get(key);
 }
 
-// A key that nothing has asked for and that differs by little; empty: there is none.
+// A similar key in the table that nothing has asked for; empty if there is none.
 std::string TableReader::misspelt(const std::string& key) const {
   for (const auto& [other, node] : *table_) {
     const std::string_view name = other.str();
@@ -116,7 +116,7 @@ std::string TableReader::misspelt(const std::string& key) const {
   return {};
 }
 
-// `in_short` is what a message says of a missing key, if not `allowed` with the unit.
+// `in_short` describes the key in the message that it is missing; by default `allowed` with the unit.
 const toml::node& TableReader::require(const std::string& key, const std::string& unit,
                                        const std::string& allowed, const char* in_short) {
   const toml::node* node = find(key, unit, allowed, log_->may_be_absent.contains(join(key)) ? "" : "needed");
@@ -168,7 +168,7 @@ void TableReader::allow_only(const std::set<std::string>& names) const {
 }
 
 void TableReader::finish() const {
-  std::set<std::string> names = asked_;  // and those that may be absent
+  std::set<std::string> names = asked_;  // and the optional keys
   const std::string head = path_.empty() ? "" : path_ + ".";
   for (const std::string& path : log_->may_be_absent)
     if (path.starts_with(head) && path.find('.', head.size()) == std::string::npos)

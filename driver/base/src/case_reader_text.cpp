@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A case back to text.
+// Writes a case as text.
 #define TOML_ENABLE_FORMATTERS 1
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ void for_each_file(toml::node& node, const std::function<void(std::string&)>& ch
   }
 }
 
-// As a shell takes it for one word: between apostrophes if it has any character that means something there.
+// `text` as one word of a shell: in apostrophes if it has a character with a meaning there.
 std::string shell_word(const std::string& text) {
   const auto is_plain = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||

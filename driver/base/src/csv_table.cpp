@@ -22,7 +22,7 @@ struct CsvCell {
   std::size_t column;  // 1-based character position
 };
 
-// Where a cell ends: at the next comma, outside quotes.
+// End of a cell: the next comma outside quotes.
 std::size_t cell_end(const std::string& line, std::size_t begin) {
   bool quoted = false;
   for (; begin < line.size() && (quoted || line[begin] != ','); ++begin)
@@ -30,12 +30,12 @@ std::size_t cell_end(const std::string& line, std::size_t begin) {
   return begin;
 }
 
-// A blank or control character. A NUL is neither: it is no part of a text, and is shown where it stands.
+// True for a blank or a control character. A NUL counts as neither, so that the message shows it.
 bool is_blank(char c) {
   return (c > 0 && c <= ' ') || c == 0x7f;
 }
 
-// Into `cells`, which stand in the line.
+// Splits a line into `cells`, which refer to it.
 void split_row(const std::string& line, std::vector<CsvCell>& cells) {
   cells.clear();
   std::size_t begin = 0;
@@ -56,14 +56,14 @@ void split_row(const std::string& line, std::vector<CsvCell>& cells) {
   }
 }
 
-// Without the empty cells at the end: a spreadsheet fills each row up to the widest.
+// Number of cells without the empty ones at the end: a spreadsheet fills each row up to the widest.
 std::size_t filled(const std::vector<CsvCell>& row) {
   std::size_t count = row.size();
   while (count > 0 && row[count - 1].text.empty()) --count;
   return count;
 }
 
-constexpr std::size_t most_rows = 20'000'000;  // twice what a run writes
+constexpr std::size_t most_rows = 20'000'000;  // twice as many as a run writes
 
 bool holds_nothing(const std::string& line) {
   const auto is_empty = [](char c) { return is_blank(c) || c == ',' || c == '"'; };
@@ -103,7 +103,7 @@ double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std
   return *value;
 }
 
-// More cells than names: a decimal comma, or a column without a name.
+// Throws CaseError for more cells than names: a decimal comma, or a column without a name.
 void check_width(const std::vector<CsvCell>& row, std::size_t width, const std::filesystem::path& file,
                  std::size_t line) {
   const std::size_t cells = filled(row);

@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-// ThreadSanitizer does not see how TBB orders its threads: it is told. This file alone is compiled without
-// it.
+// ThreadSanitizer does not see how TBB orders its threads, so this file tells it. Only this file is compiled
+// without ThreadSanitizer.
 #ifdef GASJET_SANITIZE_THREADS
 extern "C" void __tsan_acquire(void*);
 extern "C" void __tsan_release(void*);
@@ -27,7 +27,7 @@ extern "C" void __tsan_release(void*);
 
 namespace driver {
 
-// The arena alone would stop at the machine's cores.
+// By itself the arena would use at most the machine's cores.
 struct Executor::Arena {
   explicit Arena(int threads)
       : allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
@@ -35,13 +35,13 @@ struct Executor::Arena {
   tbb::global_control allowed;
   tbb::task_arena arena;
 #ifdef GASJET_SANITIZE_THREADS
-  char begun{}, ended{};  // their addresses stand for the begin and the end of all calls
+  char begun{}, ended{};  // their addresses mark the begin and the end of all calls
 #endif
 };
 
 namespace {
 
-// TBB ends the program where a thread cannot be started, so all are tried at once beforehand.
+// TBB ends the program if a thread cannot be started, so all are started once beforehand.
 void require_threads(int threads) {
   std::mutex mutex;
   std::condition_variable all_tried;

@@ -27,7 +27,7 @@ std::optional<double> number_of(std::string_view text) {
   double value = 0.0;
   const std::errc error = parse(text, value);
   if (error == std::errc{} && std::isfinite(value)) return value;
-  // Beyond the range of double: too large, or as good as 0?
+  // Outside the range of double: too large, or nearly 0?
   long double wide = 1.0L;
   if (error == std::errc::result_out_of_range && parse(text, wide) == std::errc{} && std::abs(wide) < 1.0L)
     return 0.0;
@@ -36,7 +36,7 @@ std::optional<double> number_of(std::string_view text) {
 
 std::optional<double> file_number_of(std::string_view text) {
   if (const auto value = number_of(text)) return value;
-  // Without its letter an exponent has three digits; 1.5-2 is a slip.
+  // An exponent without its letter has three digits; 1.5-2 is a slip.
   const auto sign = text.find_last_of("+-");
   if (text.find_first_of("dD") == text.npos && (sign == text.npos || text.size() != sign + 4))
     return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<double> fraction_of(std::string_view text) {
 
 namespace {
 
-// Nearest three digits, and one of the last digit.
+// The nearest value of three digits, and one unit of its last digit.
 std::pair<double, double> three_digits(double value) {
   const std::string text = fmt::format("{:.2e}", value);
   const int exponent = std::stoi(text.substr(text.find('e') + 1));

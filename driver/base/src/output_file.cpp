@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are whole at every moment.
+// Files that are complete at every moment.
 #include "base/output_file.hpp"
 
 #include <fcntl.h>
@@ -23,7 +23,7 @@ namespace {
 
 struct Written {
   std::size_t count = 0;
-  int error = 0;  // that kept the rest out
+  int error = 0;  // the error that stopped writing
 };
 
 Written write_all(int descriptor, std::string_view text) {
@@ -48,7 +48,7 @@ struct Part {
   int descriptor;
 };
 
-// Of this writer alone: of two that write one file at once, each renames a whole one.
+// Opens a part file of this writer alone: if two write one file at once, each renames a complete one.
 Part open_part(const std::filesystem::path& target) {
   for (int n = 0;; ++n) {
     const std::filesystem::path path = target.string() + part_suffix + (n == 0 ? "" : std::to_string(n));
@@ -98,7 +98,7 @@ void GrowingFile::append(std::string_view rows) {
   const off_t before = ::lseek(descriptor_, 0, SEEK_END);
   const Written written = write_all(descriptor_, rows);
   if (written.error == 0) return;
-  const std::size_t whole = rows.substr(0, written.count).rfind('\n') + 1;  // 0 where there is none
+  const std::size_t whole = rows.substr(0, written.count).rfind('\n') + 1;  // 0 if there is none
   const bool cut = before >= 0 && ::ftruncate(descriptor_, before + static_cast<off_t>(whole)) == 0;
   fail(file_, cut ? "write failed" : "write failed, its last row is torn", written.error);
 }

@@ -17,13 +17,14 @@
 namespace driver {
 namespace {
 
-// Columns of the terminal behind standard error; 80 if it does not tell.
+// Columns of the terminal on standard error; 80 if not known.
 std::size_t columns() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-// One line that fits the terminal: first the bar goes, then the name, then the last parts of the text.
+// One line that fits the terminal. On a narrow one it drops first the bar, then the name, then the last parts
+// of the text.
 std::string bar(const std::string& what, double part, const std::string& text) {
   const std::size_t room = columns() - 1, used = what.size() + text.size() + 4;
   const std::size_t width = room > used ? std::min<std::size_t>(40, room - used) : 0;
@@ -33,7 +34,7 @@ std::string bar(const std::string& what, double part, const std::string& text) {
                        text);
   if (what.size() + 1 + text.size() <= room) return what + ' ' + text;
   if (text.size() <= room) return text;
-  const std::size_t comma = text.rfind(',', room);  // no part of it is cut
+  const std::size_t comma = text.rfind(',', room);  // drops whole parts only
   return text.substr(0, comma == std::string::npos ? room : comma);
 }
 
@@ -51,7 +52,7 @@ extern "C" void on_interrupt(int) {
 void catch_interrupt() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as `nohup` has it
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // `nohup` ignores it
 }
 
 std::string text_of(const std::exception& error) {
@@ -73,7 +74,7 @@ std::string text_of(const std::exception& error) {
 }
 
 void tell(const std::string& line) {
-  constexpr std::size_t longest = 1000;  // of a word that comes from an input
+  constexpr std::size_t longest = 1000;  // of a word from an input
   std::string shown;
   std::size_t word = 0;
   for (const char c : line) {
@@ -132,7 +133,7 @@ void Progress::show(double done, const std::string& note) {
   } else {
     text = fmt::format("{}: {}\n", what_, text.substr(text.find_first_not_of(' ')));
   }
-  std::fputs(text.c_str(), stderr);  // where nobody can read it the work goes on
+  std::fputs(text.c_str(), stderr);  // a failure to print must not stop the work
   std::fflush(stderr);
 }
 

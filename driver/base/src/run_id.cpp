@@ -14,13 +14,13 @@
 namespace driver {
 namespace {
 
-// FNV-1a, 64 bits: it tells apart what differs by accident.
+// FNV-1a, 64 bits: distinguishes texts that differ by accident.
 class Hash {
  public:
   void add(std::string_view text) {
     for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
   }
-  // A text that begins where the one before ends is another one.
+  // Adds the length too, so that two texts differ from their concatenation.
   void add_whole(std::string_view text) {
     add(fmt::format("{}:", text.size()));
     add(text);
@@ -31,7 +31,8 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-// A pipe has been read already: what it held is a fact. False if the file cannot be read.
+// Skips pipes, which have been read already; their content is among the facts. False if the file cannot be
+// read.
 bool add_file(Hash& hash, const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return std::filesystem::exists(file, ignored);
@@ -49,7 +50,7 @@ bool add_file(Hash& hash, const std::filesystem::path& file) {
   return !stream.bad();
 }
 
-// No commit tells what a build of changed sources does: the program's own file does.
+// The program's own file: the commit does not identify a build of changed sources.
 std::string program_file() {
   const std::string_view commit = build_info::commit;
   if (!commit.ends_with("-dirty") && commit != "unknown") return {};
@@ -90,7 +91,7 @@ std::optional<std::string> digits_of_file(const std::filesystem::path& file) {
 }
 
 std::string one_line(const std::string& text) {
-  // Bytes that are no UTF-8 leave as U+FFFD.
+  // Bytes that are not UTF-8 become U+FFFD.
   const auto clean = nlohmann::json::parse(
       nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   std::string line;

@@ -12,7 +12,7 @@ namespace driver {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8, as spreadsheets write it
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8, written by spreadsheets
 
 std::ifstream open_text(const std::filesystem::path& file) {
   std::error_code ignored;
@@ -47,7 +47,7 @@ bool LineReader::next(std::string& line) {
   line.assign(chunk_, at_, end - at_);
   at_ = std::min(end + 1, chunk_.size());
   if (number_++ == 0 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
-  // Ends of lines as old Macs write them: a comment at the top would be all there is.
+  // Ends of lines of old Macs: the whole file would be one line, perhaps a comment.
   if (const auto at = line.find('\r');
       at != std::string::npos && line.find_first_not_of('\r', at) != std::string::npos)
     throw FileError(
@@ -59,7 +59,7 @@ bool LineReader::next(std::string& line) {
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream = open_text(file);
-  constexpr std::size_t most = 64u << 20;  // no case is longer; a device may never end
+  constexpr std::size_t most = 64u << 20;  // longer than any case; a device may be endless
   std::string text;
   std::array<char, 1u << 16> chunk;
   do {

@@ -4,6 +4,6 @@
 
 #define TOML_HEADER_ONLY 0
 #ifndef TOML_ENABLE_FORMATTERS
-#define TOML_ENABLE_FORMATTERS 0  // compiled only where a case is written
+#define TOML_ENABLE_FORMATTERS 0  // only needed where a case is written
 #endif
 #include <toml++/toml.h>

@@ -7,14 +7,14 @@
 
 namespace driver::commands {
 
-/// The words of a command line without the first, in reverse, as CLI11 takes them. "--name=" has the empty
-/// value, not what stands after it.
+/// The words of a command line without the first, reversed for CLI11. "--name=" has an empty value; it does
+/// not take the next word.
 std::vector<std::string> words(int argc, char** argv);
 
-/// The parts of a list between separators, empty ones too.
+/// The parts of a list between separators, including empty ones.
 std::vector<std::string> split(const std::string& text, char separator);
 
-/// The names of every list with commas, empty ones too.
+/// The names of all lists with commas, including empty ones.
 std::vector<std::string> names_of(const std::vector<std::string>& lists);
 
 }  // namespace driver::commands

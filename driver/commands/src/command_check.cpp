@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Validates a case and prints what follows from it before any step is made.
+// Validates a case and prints its derived values, without a step.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -27,7 +27,7 @@ void print_settings(const CaseDocument& document) {
     fmt::print("  {}{} = {}\n", setting.path, setting.is_default ? " *" : "", setting.value);
 }
 
-// A line for each key that the case could set: path, unit, what is allowed, default; tabs between them.
+// A line for each possible key of the case: path, unit, allowed values, default; separated by tabs.
 void print_keys(const CaseDocument& document) {
   for (const auto& key : document.keys())
     fmt::print("{}\t{}\t{}\t{}\n", key.path, key.unit, key.allowed, key.fallback);
@@ -39,7 +39,7 @@ void print_panels(const mesh::Mesh& mesh) {
     fmt::print("panel {}: {:.5g} m2\n", mesh.panel_names[i], areas(static_cast<Eigen::Index>(i)));
 }
 
-// Where they are tied to the design shape, as a case file says it, and to which panels.
+// Ends of the straps on the design shape, as in a case file, and their panels.
 void print_straps(const BagPart& bag) {
   const auto point = [&](int node) {
     const Eigen::Vector3d p = bag.mesh.nodes.col(node);
@@ -51,7 +51,7 @@ void print_straps(const BagPart& bag) {
     fmt::print("strap {}: from = {}, to = {}\n", i, point(straps[i].node_a), point(straps[i].node_b));
 }
 
-// Each part's limit of the step by itself; a part that has none is left out.
+// The step limit of each part alone; parts without one are left out.
 std::string limits_alone(const membrane::StiffnessShares& shares) {
   std::string text;
   const auto add = [&](const char* name, double omega_squared) {
@@ -82,7 +82,7 @@ void print_bag(const Scene& scene, const State& state) {
   print_straps(bag);
 }
 
-// Ambient gas comes in through a vent, at the speed of sound.
+// True if ambient gas enters through a vent at the speed of sound.
 bool chokes_inwards(const Scene& scene, double pressure) {
   const gas::ControlVolumeModel& model = scene.gas->model;
   const gas::Ambient& outside = model.ambient;
@@ -91,7 +91,7 @@ bool chokes_inwards(const Scene& scene, double pressure) {
                                             model.thermo.gamma(outside.mass_fractions, outside.temperature));
 }
 
-// Whether the vents choke: at the start, and from which pressure.
+// Prints whether the vents choke at the start, and the pressure above which they do.
 void print_vents(const Scene& scene, const State& state, double gamma) {
   if (!scene.has_volume() || scene.gas->model.vents.empty()) return;
   const double pressure = state.gas_point.pressure, ambient = scene.ambient.pressure;
@@ -104,7 +104,7 @@ void print_vents(const Scene& scene, const State& state, double gamma) {
                ambient > 0.0 ? "from" : "above", critical);
 }
 
-// When an inflator is at its peak; before a run nobody knows when its trigger comes on.
+// Time of an inflator's peak; its trigger's time is not known before a run.
 std::string peak_text(const Scene& scene, std::size_t inflator, double time) {
   const bool triggered = scene.gas->model.inflows[inflator].trigger.has_value();
   return fmt::format("t = {:.4g} s{}", time, triggered ? " after its trigger" : "");

@@ -57,7 +57,7 @@ std::string effects_text(const std::vector<Effect>& list) {
   return csv;
 }
 
-// One case of the command: its folder and what came of its runs.
+// One case of the command: its folder and the outcome of its runs.
 struct Part {
   Part(const std::filesystem::path& case_file, const std::filesystem::path& out)
       : file(case_file), folder(out / case_file.stem(), "ensemble") {}
@@ -80,7 +80,7 @@ std::string id_of_cases(const std::vector<std::filesystem::path>& files, const E
                cases);
 }
 
-// The runs of a share, in folders of its own within those of the cases.
+// Computes the runs of a share, in subfolders of the cases' folders.
 int run_shares(const std::filesystem::path& path, const std::deque<EnsembleCase>& cases, Crew& crew,
                const EnsembleOptions& options, const Provenance& lines) {
   bool whole = true, failed = false;
@@ -154,7 +154,7 @@ int ensemble(const EnsembleArguments& arguments, const MakeCrew& make_crew) {
     all.write("effects.csv", comment_lines(all.lines()) + effects_text(list));
     if (!options.quiet) print_effects(list);
   }
-  // All at once: what one says of the other is of one run.
+  // All at once, so that files that refer to each other are of one run.
   const char* status = done ? "done" : "interrupted";
   for (Part& part : parts) part.folder.end(status);
   all.end(status);

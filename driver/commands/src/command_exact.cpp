@@ -37,7 +37,7 @@ closed_form::ParameterMap parse_parameters(const std::vector<std::string>& texts
   return parameters;
 }
 
-// first:last:step, ends included to round-off.
+// Parses first:last:step, with ends included to round-off.
 std::vector<double> parse_times(const std::string& text) {
   if (text.empty()) return {};
   std::vector<double> parts;
@@ -76,8 +76,8 @@ std::vector<std::string> table_columns(const closed_form::Entry& entry) {
   return columns;
 }
 
-// What is printed of a form: a value that does not depend on the abscissa stands beside the table, so that
-// the table compares with a history.
+// The output of a closed form. Values that do not depend on the abscissa are outside the table, so that the
+// table can be compared with a history.
 struct Printed {
   std::vector<std::pair<std::string, double>> constants;
   std::vector<std::vector<double>> rows;
@@ -140,7 +140,8 @@ Json to_json(const closed_form::Entry& entry) {
           {"abscissae", entry.default_abscissae}};
 }
 
-// For programs: default null where a parameter must be given; abscissae empty where there is one row.
+// The list for programs: a default is null if the parameter must be given; abscissae are empty if there is
+// one row.
 void print_list_json() {
   auto object = json_head<Json>();
   for (const auto& entry : closed_form::catalogue()) object["closed_forms"].push_back(to_json(entry));
@@ -188,7 +189,7 @@ int list(const ExactArguments& a) {
 }  // namespace
 
 int exact(const ExactArguments& arguments) {
-  gsl_set_error_handler_off();  // a closed form refuses what is no number; GSL's own handler ends the program
+  gsl_set_error_handler_off();  // closed forms check their results; GSL's own handler would end the program
   if (arguments.list) return list(arguments);
   if (arguments.format == "markdown")
     throw CaseError("--format markdown: prints --list only; csv or json is allowed");

@@ -19,7 +19,7 @@
 namespace driver::commands {
 namespace {
 
-// The deck of a bag in the wrong unit would run.
+// Throws CaseError for a bag of unlikely size: a deck in the wrong unit would run unnoticed.
 void require_size(const Scene& scene, bool any_size) {
   const auto extent = unlikely_extent(scene.bag->mesh);
   if (any_size || !extent) return;

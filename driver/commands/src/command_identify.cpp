@@ -20,9 +20,10 @@ namespace driver::commands {
 namespace {
 
 constexpr double kAtmosphere = 101325.0;  // [Pa]
-constexpr double kThinned = 0.1;          // of an atmosphere: few tanks are emptied so far before a test
+constexpr double kThinned = 0.1;          // share of an atmosphere: few tanks are evacuated further before a
+                                          // test
 
-/// NAME or NAME=FRACTION,...; air, as a whole gas, stands for its four species.
+/// Reads NAME or NAME=FRACTION,...; "air" alone means its four species.
 std::vector<gas::Component> read_composition(const std::string& option, const std::string& text) {
   if (text == "air") return gas::air_by_mole();
   std::vector<gas::Component> parts;
@@ -40,7 +41,7 @@ std::vector<gas::Component> read_composition(const std::string& option, const st
   return parts;
 }
 
-/// An option's value is wrong: the library says what is allowed.
+/// Runs `action`; turns its std::invalid_argument into an error of the option.
 template <typename Action>
 auto of_option(const std::string& option, const Action& action) {
   try {
@@ -50,7 +51,7 @@ auto of_option(const std::string& option, const Action& action) {
   }
 }
 
-/// The species by name, those of the file --species among them; of it all else is skipped.
+/// The species by name, including those of the file --species, of which nothing else is read.
 SpeciesCatalogue catalogue(const IdentifyArguments& a) {
   SpeciesCatalogue species(a.thermodynamics == "nasa7" ? Thermodynamics::nasa7 : Thermodynamics::constant_cp,
                            gas::kReferenceTemperature);
@@ -104,7 +105,7 @@ CsvTable read_readings(const IdentifyArguments& a) {
   return table;
 }
 
-/// The library's message with the name of the option as it is typed.
+/// The library's message with the name of the option as typed.
 std::string as_typed(const std::string& message) {
   static const std::pair<const char*, const char*> options[] = {
       {"volume", "--volume"},
@@ -162,7 +163,7 @@ std::string bands(const IdentifyArguments& a, const gas::Identified& found) {
              : fmt::format("{}; {}, the bands are those of the others and too narrow there", text, share);
 }
 
-/// What stands above the table and on the screen.
+/// Lines above the table and on the screen.
 Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
   const bool dual = a.method == "dual";
   const auto masked = std::ranges::count_if(found.points, [](const auto& p) { return p.masked; });
@@ -209,7 +210,7 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
   return lines;
 }
 
-/// A gauge that is cut off, if it is.
+/// Adds a line about a gauge that is cut off.
 void add_clipping(const char* gauge, const std::optional<gas::Clipping>& clipping, const char* advice,
                   std::vector<std::string>& doubts) {
   if (!clipping) return;
@@ -220,7 +221,7 @@ void add_clipping(const char* gauge, const std::optional<gas::Clipping>& clippin
                   gauge, clipping->pressure, clipping->first, clipping->last, clipping->count, advice));
 }
 
-/// What the record or the options make doubtful, though there is a result.
+/// Warnings about a result that the record or the options make doubtful.
 std::vector<std::string> doubts(const gas::Identified& found) {
   std::vector<std::string> doubts;
   const auto& points = found.points;

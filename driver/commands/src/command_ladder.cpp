@@ -25,7 +25,7 @@ double read_tolerance(const std::string& text) {
   return *value;
 }
 
-// Per cent of the reference, from where the quantity counts.
+// Value in per cent of the reference, over the part where the quantity is judged.
 double per_cent(const LadderResult& result, double value) {
   return 100.0 * value / std::abs(result.reference.value - result.zero);
 }
@@ -109,7 +109,7 @@ void print(const LadderResult& result, const LadderOptions& options, const std::
   print_verdict(result, options, folder);
 }
 
-// What the results follow from, besides the case.
+// The options that affect the results.
 std::vector<std::string> options_of(const LadderOptions& options) {
   return {options.quantity, fmt::format("{}", options.tolerance),
           fmt::format("{}", fmt::join(options.hold, ",")), fmt::format("{}", options.runs),

@@ -22,7 +22,7 @@
 namespace driver::commands {
 namespace {
 
-// Sets the member that `key` names; false if none has that name.
+// Sets the member named `key`; false if there is none.
 template <class Options, class Number>
 bool assign(Options& options, const std::vector<std::pair<const char*, Number Options::*>>& names,
             const std::string& key, const std::string& text, const std::string& value) {
@@ -66,7 +66,7 @@ void print_quality(const char* shape, const Eigen::Matrix3Xd& nodes, const Eigen
       q.min_area, q.max_area);
 }
 
-// Refuses a shape without a report before anything is written.
+// Throws CaseError for a bad shape before anything is written.
 void check_quality(const BagMesh& bag, const std::filesystem::path& file) {
   try {
     mesh::element_quality(bag.mesh.nodes, bag.mesh.elements);
@@ -99,7 +99,7 @@ void print_report(const BagMesh& bag) {
   fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
 }
 
-// What the format cannot hold is a fault of the option that names the file.
+// Writes a mesh. If the format cannot represent it, the error names the option of the file.
 void write_as(const char* option, const mesh::Mesh& mesh, const std::filesystem::path& file) {
   try {
     mesh::write_mesh(mesh, file);
@@ -127,7 +127,7 @@ void check_outputs(const MeshArguments& arguments, const mesh::Mesh& mesh) {
 void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::string>& null_panels) {
   try {
     check_outputs(arguments, bag.mesh);
-    for (const auto& name : null_panels) mesh::panel_elements(bag.mesh, name);  // refuses an unknown name
+    for (const auto& name : null_panels) mesh::panel_elements(bag.mesh, name);  // throws for an unknown name
     refine(bag, arguments.refine, null_panels);
     check_quality(bag, arguments.file);
     write(bag, arguments);
@@ -137,7 +137,7 @@ void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::
   print_report(bag);
 }
 
-// What the file had, and what merging makes of it.
+// Prints the content of the file, and the effect of merging nodes.
 void print_reading(BagMesh& bag, const MeshArguments& arguments) {
   mesh::Mesh& mesh = bag.mesh;
   for (const auto& [what, list] :
@@ -161,7 +161,7 @@ void print_reading(BagMesh& bag, const MeshArguments& arguments) {
     fmt::print("nodes that no element uses, left out: {}\n", before - mesh.node_count());
 }
 
-// Before anything is written.
+// Throws CaseError for an unsuitable surface before anything is written.
 void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) {
   const auto report = mesh::check_closed_surface(bag.shape(), bag.mesh.elements);
   if (report.ok()) return;
@@ -183,7 +183,7 @@ void check_state_ending(const std::filesystem::path& out) {
   }
 }
 
-// Errors of the library in what was asked for are errors of the command line.
+// Reports invalid arguments of the library as errors of the command line.
 template <class Action>
 int reported(Action&& action) {
   try {

@@ -11,7 +11,7 @@ namespace driver::commands {
 int report(const ReportArguments& arguments) {
   if (std::filesystem::is_directory(arguments.out))
     throw OutputError(fmt::format("--out {}: is a folder, a file is allowed", arguments.out.string()));
-  // Whatever else stands in a folder of results is safe, too.
+  // Only pages are replaced, so that other files of a results folder are safe.
   if (const auto ending = arguments.out.extension(); ending != ".html" && ending != ".htm")
     throw OutputError(fmt::format("--out {}: a page ends with .html", arguments.out.string()));
   std::vector<std::filesystem::path> inputs = arguments.results;

@@ -35,7 +35,7 @@ int run(const RunArguments& arguments) {
       arguments.out.empty() ? std::filesystem::path("results") / arguments.scene.file.stem() : arguments.out;
   refuse_inputs(folder, document.files());
   const std::string id = id_of("run", {}, {&document});
-  // Until the steps begin there is nothing to keep, and a signal ends the program at once.
+  // Before the first step there is nothing to keep, so a signal ends the program at once.
   const auto outcome =
       run_to_folder(scene, folder, provenance(arguments.scene.file, arguments.scene.overrides, id),
                     {.quiet = arguments.quiet,

@@ -20,7 +20,7 @@ std::string seconds_text(double seconds) {
   return seconds < 10.0 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.0f}", seconds);
 }
 
-// What the runs cost if they are like those of a sample.
+// Prints the cost of all runs, estimated from a sample.
 void print_cost(const StudyPlan& plan, const std::vector<RunRecord>& sample) {
   double seconds = 0.0;
   std::string each;
@@ -39,7 +39,7 @@ void print_cost(const StudyPlan& plan, const std::vector<RunRecord>& sample) {
 }
 
 int check_study(const StudyPlan& plan) {
-  std::fflush(stdout);  // the plan is told before its runs take their time
+  std::fflush(stdout);  // show the plan before its runs begin
   catch_interrupt();
   const auto sample = sample_runs(plan);
   if (interrupted()) return exit_interrupted;

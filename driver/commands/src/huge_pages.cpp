@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's aligned operator new: arrays of some megabytes, which the steps of a fine membrane run
-// through, lie on huge pages where the system gives them on advice. From 100 000 elements on the arrays
-// outgrow the processor's table of 4-kB pages. The libraries leave the choice to the program.
+// The program's aligned operator new puts arrays of some megabytes on huge pages, if the system allows. From
+// 100 000 elements on, the arrays of a membrane exceed the processor's table of 4-kB pages. The libraries
+// leave this choice to the program.
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   void* const memory = rounded < size ? nullptr : std::aligned_alloc(unit, rounded);
   if (!memory) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  if (many_pages) madvise(memory, rounded, MADV_HUGEPAGE);  // refused: pages of the usual size
+  if (many_pages) madvise(memory, rounded, MADV_HUGEPAGE);  // if refused, pages have the usual size
 #endif
   return memory;
 }

@@ -11,7 +11,7 @@ namespace driver::commands {
 namespace {
 
 bool is_same(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code ignored;  // of a file that is not there yet: then the names decide
+  std::error_code ignored;  // error of a file that does not exist yet: then the names decide
   if (std::filesystem::equivalent(a, b, ignored)) return true;
   return std::filesystem::absolute(a).lexically_normal() == std::filesystem::absolute(b).lexically_normal();
 }
@@ -33,7 +33,7 @@ void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::f
 }
 
 void require_file(const std::filesystem::path& file) {
-  std::error_code ignored;  // of none: its reader says so
+  std::error_code ignored;  // error of a missing file, which its reader reports
   if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file))
     throw CaseError(
         fmt::format("{}: is no regular file, which is needed: it is read more than once", file.string()));

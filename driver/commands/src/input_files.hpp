@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that a command reads: those that it must not write, and the id that follows from them.
+// The files that a command reads, which it must not overwrite, and the id that follows from them.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace driver::commands {
 
-/// Throws CaseError when the file that `option` writes is one of those that are read.
+/// Throws CaseError if the output file of `option` is one of the input files.
 void refuse_same_file(const char* option, const std::filesystem::path& out,
                       const std::vector<std::filesystem::path>& inputs);
-/// Throws CaseError for a pipe or a device: the command reads the file more than once.
+/// Throws CaseError for a pipe or a device, because the command reads the file more than once.
 void require_file(const std::filesystem::path& file);
 /// Throws CaseError if one of the inputs is among the results in the folder of --out, which are removed.
 void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& inputs);
@@ -21,7 +21,7 @@ void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::f
 std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,
                                                const std::vector<std::string>& overrides);
 
-/// Id of what `command` with `options` makes of cases that have been read.
+/// Id of the results of `command` with `options` for cases that have been read.
 std::string id_of(const std::string& command, const std::vector<std::string>& options,
                   const std::vector<const CaseDocument*>& cases);
 

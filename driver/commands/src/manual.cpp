@@ -39,7 +39,7 @@ std::vector<const CLI::Option*> options_of(const CLI::App& app, bool positional)
       [positional](const CLI::Option* option) { return option->get_positional() == positional; });
 }
 
-// What an option allows by name: "{text,json}" in its type.
+// The named values of an option: "{text,json}" in its type.
 std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const auto begin = type.find('{'), end = type.find('}', begin);
@@ -51,7 +51,7 @@ bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_max() > 0;
 }
 
-// Text as roff shows it: hyphens as they are typed, no line taken for a request.
+// Text for roff: hyphens as typed, and no line read as a request.
 std::string roff(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -120,8 +120,7 @@ void write_pages(const CLI::App& app, const fs::path& folder) {
     for (const auto* command : commands_of(app)) write_pages(*command, folder);
 }
 
-// Lines of the two tables: words that may follow a command; values that an option takes, "-" where it takes
-// any.
+// Adds lines of two tables: words that may follow a command; values of an option, "-" if any.
 void add_completion(const CLI::App& app, std::string& words, std::string& values) {
   const std::string name = full_name(app);
   words += fmt::format("  ['{}']='", name);

@@ -10,8 +10,8 @@ class App;
 namespace driver::commands {
 
 /// Writes the man pages of `app` and of each of its commands to `folder`/man/man1, and its bash completion to
-/// `folder`/bash-completion/completions: all from the commands and options that the program itself reads.
-/// Throws OutputError for a folder or file that cannot be written.
+/// `folder`/bash-completion/completions: all from the program's own commands and options. Throws OutputError
+/// for a folder or file that cannot be written.
 void write_manual(const CLI::App& app, const std::filesystem::path& folder);
 
 }  // namespace driver::commands

@@ -8,9 +8,9 @@
 
 namespace driver::commands {
 
-/// Adds the command; what the command line says of it stands in `arguments`.
+/// Adds the command; the command line is parsed into `arguments`.
 void add_mesh(CLI::App& app, MeshArguments& arguments);
-/// Runs the subcommand that the command line asks for.
+/// Runs the subcommand of the command line.
 int dispatch_mesh(const CLI::App& mesh, const MeshArguments& arguments);
 
 }  // namespace driver::commands

@@ -27,24 +27,22 @@ int report_error(const std::string& message, int code) {
   return code;
 }
 
-// Nobody reads what is printed any more, as in `gasjet exact ... | head`: the exit code that a shell then
-// shows.
+// Exit code if nobody reads the output any more, as in `gasjet exact ... | head`: the one that a shell shows.
 int lost_output() {
   pollfd output{STDOUT_FILENO, POLLOUT, 0};
   if (poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0) return 128 + SIGPIPE;
   return report_error("standard output: write failed (disk full?)", exit_domain);
 }
 
-// What was printed has arrived, or the command has not done its work.
+// Flushes the output. If that fails, the command has failed.
 int finish(int code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
   return lost_output();
 }
 
-// A result file would take the number of a closed descriptor, and what is meant for it. Whoever closes an
-// output wants nothing of it, which is no failure. An input opened the wrong way round refuses what is read,
-// as a closed one does.
+// Opens closed standard descriptors, because a result file would otherwise get their number and their output.
+// A closed output discards text without an error; a closed input fails when it is read.
 void guard_standard_descriptors() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(number, F_GETFD) < 0) open("/dev/null", O_WRONLY);
@@ -54,7 +52,9 @@ void guard_standard_descriptors() {
 
 int program(int argc, char** argv, const MakeCrew& crew) {
   guard_standard_descriptors();
-  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);  // the write that fails says so
+  for (const int number : {SIGPIPE, SIGXFSZ})
+    std::signal(number, SIG_IGN);  // the failing write reports the
+                                   // error
   jet::add_tree_route();
   try {
     return finish(run_command_line(argc, argv, crew));

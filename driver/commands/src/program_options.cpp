@@ -13,7 +13,7 @@
 namespace driver::commands {
 namespace {
 
-// Taken as soon as it is read: overrides act in the order of the command line.
+// Parsed immediately, so that overrides act in the order of the command line.
 void add_override(CLI::App& command, std::vector<std::string>& overrides, const char* name,
                   std::string_view prefix, const char* meaning) {
   command
@@ -227,7 +227,7 @@ void add_export(CLI::App& app, ExportArguments& a) {
   c->add_flag("--any-size", a.any_size, "take a bag below 0.02 m or above 10 m as it is");
 }
 
-// CLI11 would only say that a command is missing.
+// Names an unknown command; CLI11 would only say that a command is missing.
 void refuse_unknown_command(const CLI::App& app, std::span<char*> words) {
   if (words.empty() || words[0][0] == '-') return;
   std::string allowed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What options allow, in our words: CLI11's ranges let NaN pass and print all digits of their ends.
+// Validators with our messages. CLI11's ranges accept NaN and print all digits of their ends.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -22,7 +22,8 @@ inline const CLI::Validator positive = finite_above(0.0, "a finite number above 
 inline CLI::Validator within(double low, double high, const std::string& allowed) {
   const auto fault = [low, high, allowed](std::string& text) {
     double value = 0.0;
-    const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;  // no NaN is
+    const bool good =
+        CLI::detail::lexical_cast(text, value) && value >= low && value <= high;  // false for NaN
     return good ? std::string() : text + ": " + allowed + " is allowed";
   };
   return {fault, ""};
@@ -36,6 +37,6 @@ inline CLI::Validator not_empty(const std::string& needed) {
   return {[fault](std::string& text) { return text.empty() ? fault : std::string(); }, ""};
 }
 inline const CLI::Validator named = not_empty("a name");
-inline const CLI::Validator given = not_empty("a value");  // empty text would be read as the number 0
+inline const CLI::Validator given = not_empty("a value");  // an empty text would be read as the number 0
 
 }  // namespace driver::commands

@@ -70,7 +70,7 @@ CsvTable read_abstat(const std::filesystem::path& file, int volume_number) {
       in_state = is_heading(line);
       continue;
     }
-    if (!in_state) continue;  // the legend that opens the file
+    if (!in_state) continue;  // the legend at the top of the file
     const Row row = read_row(file, line_number, line);
     present.insert(static_cast<int>(row.values[kNumberField]));
     if (row.values[kNumberField] != volume_number) continue;

@@ -17,7 +17,7 @@ bool is_band(const std::string& name) {
   return name.size() > std::string(band_suffix).size() && name.ends_with(band_suffix);
 }
 
-// No quantity by itself: it stands beside one.
+// True for a column that belongs to another one, such as its band.
 bool is_companion(const std::string& name, const History& history) {
   return is_band(name) ||
          (history.runs > 1 && (name.ends_with(standard_error_suffix) || name.ends_with(scatter_suffix)));

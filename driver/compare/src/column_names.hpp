@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which columns of a reference are quantities, and which stand beside one.
+// Which columns of a reference are quantities, and which belong to another column.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace driver {
 
-/// Quantities to compare: those of `only`, or all. Throws CaseError for names that the reference does not
-/// have and for one of `only` that is given twice.
+/// Quantities to compare: `only`, or all. Throws CaseError for names that the reference does not have and for
+/// a name given twice.
 std::vector<std::string> names_to_compare(const History& reference, const std::vector<std::string>& only,
                                           const Tolerance& tolerance);
 
-/// One of the columns is a band.
+/// True if one of the columns is a band.
 bool states_band(const History& reference);
 
 /// Throws CaseError for a band without its column and for one below 0.

@@ -18,9 +18,10 @@
 namespace driver {
 namespace {
 
-constexpr double round_off_of_times = 1e-9;  // of the reference's span: times pass through decimal files
+constexpr double round_off_of_times = 1e-9;  // share of the reference's span: files have rounded decimal
+                                             // times
 
-// A history may have thousands of columns.
+// Columns by name, as a history may have thousands.
 class Columns {
  public:
   explicit Columns(const History& history) { add(history); }
@@ -69,12 +70,13 @@ Peak peak(const std::vector<double>& time, const std::vector<double>& values) {
   return largest;
 }
 
-// A band as wide as the signal's own variation tells nothing; of a constant signal, as wide as its value.
+// True if the band is as wide as the signal's own variation (for a constant signal, as its value), so that it
+// decides nothing.
 bool is_wider_than_signal(const QuantityDifference& q) {
   const auto [low, high] = std::minmax_element(q.expected.begin(), q.expected.end());
   const double size = std::max(std::abs(*low), std::abs(*high));
   if (size == 0.0) return false;
-  constexpr double constant = 1e-6;  // of its size: what the band's own round-off may look like
+  constexpr double constant = 1e-6;  // relative variation that may be round-off of the band
   const double signal = *high - *low > constant * size ? *high - *low : size;
   auto sorted = q.band;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
@@ -102,7 +104,7 @@ void judge(const std::vector<double>& time, const std::vector<double>& doubt, bo
     const double off = std::abs(q.values[i] - q.expected[i]);
     if (off > 0.0) q.share_of_band = std::max(q.share_of_band, q.band[i] > 0.0 ? off / q.band[i] : HUGE_VAL);
     if (off <= q.band[i]) continue;
-    if (!(off > q.band[i] + doubt[i])) {  // the doubt between samples an instant apart may be infinite
+    if (!(off > q.band[i] + doubt[i])) {  // the error between samples an instant apart may be infinite
       ++unclear;
     } else if (outside++ == 0) {
       first = i;
@@ -130,16 +132,17 @@ struct Side {
   Columns columns;
 };
 
-constexpr double round_off_of_means = 1e-6;  // of the largest magnitude: means are written with fewer digits
+constexpr double round_off_of_means = 1e-6;  // share of the largest magnitude: means are written with fewer
+                                             // digits
 
 constexpr const char* no_band_text = "the reference states no band, --tolerance gives one";
 
-// What all quantities are judged by.
+// Criteria for all quantities.
 struct Judgement {
   const Tolerance& tolerance;
   std::optional<MeanTest> test;  // if the reference is an ensemble
   bool mine_is_run = true;
-  std::vector<double> no_band;  // zeros, if the reference states no band: the tolerance alone is
+  std::vector<double> no_band;  // zeros if the reference has no band, so that only the tolerance counts
 };
 
 double share_of(const std::string& name, const Tolerance& tolerance) {
@@ -147,7 +150,7 @@ double share_of(const std::string& name, const Tolerance& tolerance) {
   return own == tolerance.of.end() ? tolerance.share : own->second;
 }
 
-// Adds what chance does to the difference of both means.
+// Adds the effect of chance on the difference of both means.
 void add_chance(const MeanTest& test, const std::vector<double>& time, const std::vector<double>& mine,
                 const std::vector<double>& reference, QuantityDifference& q) {
   const auto errors = test.standard_errors(time, mine, reference);

@@ -18,8 +18,8 @@ constexpr std::string_view mean_suffix = "_mean", runs_key = "# runs: ";
 constexpr int most_runs = 1000000000;
 
 struct Line {
-  std::size_t number = 1;  // 1-based; of the header if there is no such line
-  std::string text;        // behind the key
+  std::size_t number = 1;  // 1-based; line of the header if there is no such line
+  std::string text;        // text after the key
 };
 
 Line runs_line(const std::filesystem::path& file) {

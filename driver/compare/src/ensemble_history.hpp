@@ -8,9 +8,9 @@
 
 namespace driver {
 
-/// If a column has a standard error beside it, the history is an ensemble: takes the number of runs from the
-/// line `# runs: N` above the columns, and `_mean` off the names, as ensemble.csv has them. Throws CaseError
-/// for a standard error without its column, and if the line is missing or no whole number of 2 or more.
+/// A history with standard errors is an ensemble. Reads its number of runs from the line `# runs: N` above
+/// the columns, and removes `_mean` from the names, which ensemble.csv has. Throws CaseError for a standard
+/// error without its column, and if the line is missing or is not an integer of at least 2.
 void read_ensemble_lines(History& history, const std::filesystem::path& file);
 
 }  // namespace driver

@@ -9,7 +9,7 @@
 
 namespace driver {
 
-// Rows have to be close enough: ten times the class, as SAE J211 asks.
+// The rows need a sampling rate of ten times the class, as SAE J211 requires.
 Filtered filtered_as(const History& reference, const History& mine) {
   Filtered result;
   const auto *first = mine.find("pendulum_cg_tangential_m_s2"),

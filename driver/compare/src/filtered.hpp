@@ -8,10 +8,11 @@
 
 namespace driver {
 
-/// Filtered accelerations that the reference has and mine, a run, lacks: made of its components.
+/// Filtered accelerations that the reference has and mine, a run, lacks; computed from its components.
 struct Filtered {
   History columns;
-  std::unordered_map<std::string, std::string> too_coarse;  // column, and why mine's rows do not give it
+  std::unordered_map<std::string, std::string> too_coarse;  // column, and why the rows of mine are too coarse
+                                                            // for it
 };
 Filtered filtered_as(const History& reference, const History& mine);
 

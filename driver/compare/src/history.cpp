@@ -19,11 +19,11 @@ namespace {
 
 // value [SI] = scale * (value of the file) + offset
 struct MappedColumn {
-  std::string name;    // ours
-  std::string column;  // the file's; one * stands for any characters
+  std::string name;    // name in Gasjet
+  std::string column;  // name in the file; one * stands for any characters
   double scale = 1.0;
   double offset = 0.0;
-  std::string name_label = {}, column_label = {};  // places in the map
+  std::string name_label = {}, column_label = {};  // positions in the map
 };
 
 enum class Format { csv, abstat, rcforc, nodout, rbdout };
@@ -86,7 +86,7 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 using NameCounts = std::unordered_map<std::string, std::size_t>;
 
-// What a history of foreign names is compared with.
+// The comparison that a history with foreign names is read for.
 struct Purpose {
   const History& reference;
   const std::vector<std::string>& only;
@@ -96,12 +96,12 @@ struct Purpose {
   }
 };
 
-// `compare` makes filtered accelerations of these.
+// True for components from which `compare` makes filtered accelerations.
 bool is_component(const std::string& name) {
   return name == "pendulum_cg_tangential_m_s2" || name == "pendulum_cg_radial_m_s2";
 }
 
-// Names of the map that the reference does not have, with their places.
+// Names of the map that the reference does not have, with their positions.
 std::vector<std::string> names_left_out(const Map& map, const Purpose& purpose) {
   std::vector<std::string> left_out;
   for (const auto& column : map.columns) {
@@ -130,7 +130,7 @@ std::vector<std::string> names_left_out(const Map& map, const Purpose& purpose) 
       like == header.names.end() ? "--columns compares others" : fmt::format("is '{}' meant?", *like)));
 }
 
-// Names of the header that a pattern means.
+// Names of the header that match a pattern.
 std::vector<std::string> matching(const CsvHeader& header, const NameCounts& counts,
                                   const std::string& pattern) {
   if (pattern.find('*') == std::string::npos) {
@@ -160,8 +160,8 @@ std::vector<MappedColumn> own_columns(const CsvHeader& header) {
   return columns;
 }
 
-// Read as CSV: the columns that are there take the file's full names. A map may name more than a run wrote,
-// but nothing that the comparison needs.
+// Reads a CSV file by a map; `columns` get the file's full names. A map may name columns that the file does
+// not have, unless the comparison needs them.
 CsvTable read_mapped_csv(const std::filesystem::path& file, std::vector<MappedColumn>& columns,
                          const CsvHeader& header, const Purpose* purpose) {
   NameCounts counts;
@@ -171,7 +171,7 @@ CsvTable read_mapped_csv(const std::filesystem::path& file, std::vector<MappedCo
     if (!name.empty())
       column.column = name;
     else if (&column == &columns.front())
-      continue;  // read_csv refuses a file without its time
+      continue;  // read_csv throws for a file without time
     else if (purpose && purpose->needs(column.name))
       fail_missing(file, header, column);
     else
@@ -183,7 +183,7 @@ CsvTable read_mapped_csv(const std::filesystem::path& file, std::vector<MappedCo
   return read_csv(file, names);
 }
 
-// The squares of larger values and times have no place in a double.
+// The squares of larger values and times overflow.
 constexpr double largest_magnitude = 1e100;
 
 History in_si_units(CsvTable& table, const std::vector<MappedColumn>& columns) {
@@ -209,7 +209,7 @@ History in_si_units(CsvTable& table, const std::vector<MappedColumn>& columns) {
 }
 
 void check_times(const CsvTable& table, const History& history) {
-  constexpr std::size_t fewest = 3;  // interpolation judges itself by a parabola
+  constexpr std::size_t fewest = 3;  // the error of interpolation needs a parabola
   if (table.rows() < fewest)
     throw CaseError(fmt::format("{}:{}:1: has {} rows, {} or more are needed", table.file.string(),
                                 table.rows() > 0 ? table.lines.back() : 1, table.rows(), fewest));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// rcforc: one line a side and time, words and numbers by turns. nodout: blocks with a heading, nodes in
-// fields of 10 and 12 characters. rbdout: blocks with a heading, bodies in lines `displacements: ...`.
+// rcforc: one line for each side and time, of alternate words and numbers. nodout: blocks with a heading,
+// nodes in fields of 10 and 12 characters. rbdout: blocks with a heading, bodies in lines `displacements:
+// ...`.
 #include "lsdyna_text.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +40,7 @@ std::vector<Word> words_of(std::string_view line) {
   return words;
 }
 
-// Gathers the rows of the one object.
+// Collects the rows of one object.
 class Rows {
  public:
   Rows(const std::filesystem::path& file, std::vector<std::string> names, std::optional<int> number)
@@ -60,7 +61,7 @@ class Rows {
     return *value;
   }
 
-  // Whether the rows of this object are wanted.
+  // True if the rows of this object are wanted.
   bool wants(const Word& word) {
     const double value = number(word);
     if (!(value >= 1.0 && value <= 2e9 && value == std::floor(value)))
@@ -78,7 +79,7 @@ class Rows {
   }
   bool has_row_at(double time) const { return !table_.lines.empty() && table_.values[0].back() == time; }
 
-  // Values of the last row, of the column `first` and those after it.
+  // Sets values of the last row, in the column `first` and those after it.
   void put(std::string_view first, std::span<const Word> words) {
     const auto at = static_cast<std::size_t>(std::find(table_.names.begin(), table_.names.end(), first) -
                                              table_.names.begin());
@@ -101,7 +102,7 @@ class Rows {
     table_.positions.push_back(table_.positions[at]);
   }
 
-  // Without columns that the file does not have.
+  // The table, without columns that the file does not have.
   CsvTable finish(const char* what) {
     if (present_.empty())
       throw CaseError(fmt::format("{}:1:1: no {} in the file", table_.file.string(), what));
@@ -185,7 +186,7 @@ double number_after(const Rows& rows, std::string_view line, std::string_view wo
   return rows.number({words[0].text, words[0].column + begin});
 }
 
-// Fields of 12 characters after the node's, which stand without blanks between them if they are full.
+// Fields of 12 characters after the node's number. Full fields have no blanks in between.
 std::vector<Word> fields_of(const Rows& rows, std::string_view line, std::size_t count) {
   constexpr std::size_t kNode = 10, kWidth = 12;
   std::vector<Word> fields;

@@ -15,9 +15,9 @@ enum class LsDynaText {
   rbdout   // rigid bodies: x, y, z, x_disp ... z_accl, x_rot ... z_racc, and those magnitudes
 };
 
-/// The history of one contact, node or rigid body, by its number; by default that of the only one in the
-/// file. Of a contact's two sides, whose forces are opposite, it takes the one that comes first. Magnitudes
-/// are those of translations. Throws CaseError with file and line.
+/// The history of one contact, node or rigid body, by its number; by default the only one in the file. A
+/// contact has two sides with opposite forces; the first one is used. Magnitudes are of translations. Throws
+/// CaseError with file and line.
 CsvTable read_lsdyna_text(const std::filesystem::path& file, LsDynaText kind, std::optional<int> number);
 
 }  // namespace driver

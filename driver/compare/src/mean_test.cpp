@@ -10,9 +10,9 @@
 namespace driver {
 namespace {
 
-constexpr double false_alarms = 0.01;  // of all comparisons together
-constexpr double missed = 0.1;         // share of changes of the size that is seen
-constexpr double window = 1.0 / 50.0;  // of the times, on each side
+constexpr double false_alarms = 0.01;  // rate for all comparisons together
+constexpr double missed = 0.1;         // share of missed changes of the size `seen`
+constexpr double window = 1.0 / 50.0;  // share of the times, on each side
 
 // The largest value within `reach` of each time; a queue of falling values makes it linear in the rows.
 std::vector<double> largest_within(std::span<const double> time, const std::vector<double>& values,

@@ -10,7 +10,7 @@
 namespace driver {
 namespace {
 
-constexpr int kPoints = 400;  // of the common grid, a quarter of which is searched to either side
+constexpr int kPoints = 400;  // points of the common grid; a quarter of it is searched on either side
 
 std::vector<double> on_grid(std::span<const double> time, std::span<const double> values) {
   std::vector<double> grid;
@@ -23,7 +23,7 @@ std::vector<double> on_grid(std::span<const double> time, std::span<const double
 bool changes(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return *high - *low >
-         1e-9 * std::max(std::abs(*low), std::abs(*high));  // more than a decimal file's round-off
+         1e-9 * std::max(std::abs(*low), std::abs(*high));  // larger than a decimal file's round-off
 }
 
 // Mean square distance when mine is taken `shift` cells later; linear between grid points.
@@ -53,17 +53,17 @@ std::optional<double> phase_lag(std::span<const double> time, std::span<const do
   constexpr int most = kPoints / 4;
   int best = 0;
   double least = distance(a, b, 0.0);
-  for (int magnitude = 1; magnitude <= most; ++magnitude)  // of equal distances the smallest shift
+  for (int magnitude = 1; magnitude <= most; ++magnitude)  // for equal distances, the smallest shift
     for (const int shift : {magnitude, -magnitude})
       if (const double d = distance(a, b, shift); d < least) least = d, best = shift;
   if (std::abs(best) == most) return std::nullopt;
   double low = best - 1.0, high = best + 1.0;
-  for (int i = 0; i < 60; ++i) {  // thirds: the mean square is close to a parabola within one cell
+  for (int i = 0; i < 60; ++i) {  // ternary search: within one cell the mean square is close to a parabola
     const double third = (high - low) / 3.0;
     (distance(a, b, low + third) <= distance(a, b, high - third) ? high -= third : low += third);
   }
   const double shift = 0.5 * (low + high);
-  constexpr double found_to = 1e-8;  // cells: the root of eps, at which a least square is flat
+  constexpr double found_to = 1e-8;  // in cells; the root of eps, within which a least square is flat
   return std::abs(shift) < found_to ? 0.0 : shift * (time.back() - time.front()) / kPoints;
 }
 

@@ -6,9 +6,9 @@
 
 namespace driver {
 
-/// Time [s] by which `mine` is late: the shift of at most a quarter of the window that brings it nearest to
-/// `reference`, in the mean square over the overlap. There is none if one of the signals does not change, if
-/// no such shift brings them nearer, or if there are fewer than 8 rows.
+/// Delay [s] of `mine`: the shift, of at most a quarter of the window, with the smallest mean square
+/// difference from `reference` over the overlap. Empty if one of the signals is constant, if no such shift
+/// brings them closer, or if there are fewer than 8 rows.
 std::optional<double> phase_lag(std::span<const double> time, std::span<const double> mine,
                                 std::span<const double> reference);
 

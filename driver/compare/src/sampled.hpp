@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A signal given at rising times: interpolation that knows its own error, means over time.
+// A signal at rising times: interpolation with an error estimate, and means over time.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@ struct Sample {
   double doubt = 0.0;
 };
 
-/// Of 3 samples or more. At the ends the cubic has its neighbours on one side.
+/// Precondition: 3 samples or more. At the ends the cubic uses neighbours on one side.
 Sample interpolate(std::span<const double> time, std::span<const double> values, double t);
 
-/// sqrt(int v^2 dt / T) by the trapezoidal rule; of one row its magnitude.
+/// sqrt(int v^2 dt / T) by the trapezoidal rule; for one row its magnitude.
 double root_mean_square(std::span<const double> time, std::span<const double> values);
 
 }  // namespace driver

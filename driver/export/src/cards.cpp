@@ -10,7 +10,7 @@
 namespace driver {
 namespace {
 
-// "0.5e-05" is ".5e-5".
+// "0.5e-05" becomes ".5e-5".
 std::string without_idle_zeros(std::string text) {
   if (const auto e = text.find('e'); e != std::string::npos) {
     std::size_t from = e + 1;
@@ -38,8 +38,7 @@ Field real(double value, std::size_t width) {
   constexpr int digits = 15;
   for (int precision = digits; precision > 0; --precision) {
     std::string text = fmt::format("{:.{}g}", value, precision);
-    if (text.find_first_of(".e") == std::string::npos)
-      text += '.';  // some readers take "1" for a whole number
+    if (text.find_first_of(".e") == std::string::npos) text += '.';  // some readers take "1" for an integer
     if (text.size() < width) return {std::move(text), width};
   }
   throw std::logic_error(fmt::format("{} does not fit {} columns", value, width));

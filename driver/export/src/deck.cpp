@@ -18,7 +18,7 @@ namespace driver {
 namespace {
 
 constexpr int sphere_levels = 3;    // 1280 elements
-constexpr double gap_share = 0.02;  // of the radius
+constexpr double gap_share = 0.02;  // share of the radius
 constexpr double degrees = std::numbers::pi / 180.0;
 
 void add_parts(const BagPart& bag, Deck& deck) {
@@ -35,7 +35,8 @@ void add_parts(const BagPart& bag, Deck& deck) {
 }
 
 void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
-  constexpr double least = 1e-9;  // of a point mass at the centre of gravity, about the pivot
+  constexpr double least = 1e-9;  // share of the inertia of a point mass at the centre of gravity, about the
+                                  // pivot
   const double radius = p.impactor_radius;
   deck.inertia = std::max(p.inertia_cg, least * p.mass * p.cg_distance * p.cg_distance);
   deck.contact_gap = gap_share * radius;
@@ -54,8 +55,8 @@ void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
                    deck.sphere.elements.cols(), 1.0 - (nearest + deck.contact_gap) / radius)});
 }
 
-// Contact acts on the bag's nodes: between those of an even triangle of edge L, a sphere of radius R sinks in
-// by L^2/(6 R) before it meets one, as their circle has the radius L/sqrt(3).
+// Notes that contact acts on the bag's nodes. Between the nodes of an equilateral triangle of edge L, a
+// sphere of radius R sinks in by L^2/(6 R) before it meets one, as their circle has the radius L/sqrt(3).
 void note_contact(const Scene& scene, Deck& deck) {
   const mesh::Mesh& mesh = scene.bag->mesh;
   double longest = 0.0;
@@ -110,7 +111,7 @@ CosineMisfit cosine_misfit() {
 }
 
 double run_end(const Scene& scene) {
-  const double step = 0.01 * scene.time.end;  // at most, of the other program
+  const double step = 0.01 * scene.time.end;  // largest step of the other program
   return scene.time.end + std::min(scene.output.history_every, 0.5 * scene.time.end) + step;
 }
 

@@ -16,8 +16,8 @@ double green_lagrange_strain(double strain) {
   return strain + 0.5 * strain * strain;
 }
 
-// How much less stress a strip has in a program that takes the converted curve for one of nominal stress over
-// stretch less 1: the largest difference [Pa] at the curve's own points.
+// Error of stress in a strip if a program takes the converted curve for nominal stress over stretch minus 1:
+// the largest difference [Pa] at the curve's own points.
 double misread(const DeckCurve& nominal, const DeckCurve& converted) {
   double largest = 0.0;
   for (const auto& [strain, stress] : nominal)
@@ -41,8 +41,8 @@ DeckCurve green_lagrange(const DeckCurve& nominal, double share) {
     const auto [from, low] = nominal[k - 1];
     const auto [to, high] = nominal[k];
     const double slope = (high - low) / (to - from), stretch = 1.0 + from;
-    // On the piece P = a + b lambda, so d2S/dE2 = 3 a/lambda^5; a chord is off by an eighth of it times the
-    // square of its length.
+    // On the piece P = a + b lambda, d2S/dE2 is 3 a/lambda^5; the error of a chord is an eighth of it times
+    // the square of its length.
     const double curvature = 3.0 * std::abs(low - slope * stretch) / elementary::pow(stretch, 5);
     const double length = green_lagrange_strain(to) - green_lagrange_strain(from);
     const double count = std::max(1.0, std::ceil(length * std::sqrt(curvature / (8.0 * allowed))));
@@ -66,7 +66,7 @@ double value_on(const DeckCurve& curve, double x) {
 void add_fabric(const BagPart& bag, Deck& deck) {
   const membrane::BagDescription& d = bag.model.description;
   if (!membrane::law_named(d.law).curves) return;
-  constexpr double share = 1e-4;  // of the last stress
+  constexpr double share = 1e-4;  // share of the last stress
   double stretched = 1.0;
   for (std::size_t i = 0; i < 2; ++i) {
     const membrane::StressCurve& curve = d.curves[i];

@@ -19,11 +19,11 @@ namespace {
 
 using Fractions = std::vector<double>;
 
-constexpr double round_off = 1e-12;  // of a constant heat capacity
+constexpr double round_off = 1e-12;  // relative variation of a constant heat capacity
 
-// The molar heat capacity of some programs is a parabola.
+// Fits a parabola, which some programs use as molar heat capacity.
 void fit_parabola(const gas::Thermo& thermo, const Fractions& fractions, double highest, DeckGas& mixture) {
-  constexpr double lowest = 250.0, span = 50.0;  // [K]; span: at least, so that three numbers are determined
+  constexpr double lowest = 250.0, span = 50.0;  // [K]; `span` is the least that determines three numbers
   constexpr int points = 200;
   highest = std::max(highest, lowest + span);
   Eigen::Matrix<double, points, 3> powers;
@@ -83,7 +83,7 @@ void add_inflators(const Scene& scene, double highest, Deck& deck) {
   }
 }
 
-// Enthalpy of a deck's gas between two temperatures [J/kg], by the heat capacity that the deck has.
+// Enthalpy of a deck's gas between two temperatures [J/kg], by the heat capacity in the deck.
 double enthalpy_between(const DeckGas& mixture, DeckFormat format, double from, double to) {
   const std::span<const double> cp =
       format == DeckFormat::radioss ? std::span<const double>(mixture.cp) : mixture.parabola;
@@ -95,7 +95,7 @@ double enthalpy_between(const DeckGas& mixture, DeckFormat format, double from, 
   return sum;
 }
 
-// Temperature at which gas comes into a rigid volume with the internal energy that it has at another one.
+// Temperature at which gas must enter a rigid volume to have there the internal energy of `temperature`.
 double filling_temperature(const DeckGas& mixture, DeckFormat format, double temperature) {
   const double work = gas::kMolarGasConstant / mixture.molar_mass * temperature;  // [J/kg] p/rho
   double low = 0.0, high = temperature;
@@ -106,7 +106,7 @@ double filling_temperature(const DeckGas& mixture, DeckFormat format, double tem
   return 0.5 * (low + high);
 }
 
-// A thousandth of the run, or twenty critical steps if these are longer: these give a triangle's area to a
+// A thousandth of the run, or twenty critical steps if longer: these give the area of a triangular pulse to a
 // thousandth.
 double pulse_of(const Scene& scene) {
   constexpr double steps = 20.0;
@@ -117,8 +117,8 @@ double pulse_of(const Scene& scene) {
   return std::isfinite(critical) ? std::max(least, steps * critical) : least;
 }
 
-// Decks begin at ambient pressure. What a case has above it comes in at the temperature that gives the same
-// internal energy in a rigid volume: at once where a curve of mass is allowed, else within a pulse.
+// Decks begin at ambient pressure. The gas of an initial overpressure enters at the temperature that gives
+// the same internal energy in a rigid volume: at once if the deck has curves of mass, otherwise in a pulse.
 void add_initial_overpressure(const Scene& scene, Deck& deck) {
   const GasPart& gas = *scene.gas;
   const double excess = gas.initial_pressure - scene.ambient.pressure;
@@ -166,8 +166,8 @@ void note_misfit(const DeckGas& gas, double highest, Deck& deck) {
 
 }  // namespace
 
-// Decks go on along the last two knots: what the case means beyond them is said by knots of their own, and a
-// jump by two knots a millionth of the scene's end apart.
+// Decks extrapolate the last two knots. Therefore values outside the case's knots get knots of their own, and
+// a jump becomes two knots a millionth of the scene's end apart.
 DeckCurve knots_of(const gas::Curve& curve, double shift, double end, bool zero_before) {
   DeckCurve points;
   const double jump = 1e-6 * end;

@@ -5,11 +5,11 @@
 
 namespace driver {
 
-/// Knots of a curve of time that is shifted by `shift` [s], for a scene that ends at `end` [s]. What holds
-/// its first value before the first knot is zero there with `zero_before`, as a flow that has not begun.
+/// Knots of a curve of time that is shifted by `shift` [s], for a scene that ends at `end` [s]. With
+/// `zero_before` the curve is zero before its first knot, like a flow that has not begun.
 DeckCurve knots_of(const gas::Curve& curve, double shift, double end, bool zero_before = false);
 
-/// Initial gas, inflators, vents and leaks of the scene, with notes. `deck` has its parts.
+/// Adds initial gas, inflators, vents and leaks of the scene, with notes. Precondition: `deck` has its parts.
 void add_gas(const Scene& scene, Deck& deck);
 
 }  // namespace driver

@@ -14,13 +14,13 @@ namespace {
 DeckCurve of_overpressure(const gas::Curve& curve, double factor) {
   DeckCurve points;
   for (const auto& knot : curve.knots()) points.push_back({knot.time, factor * knot.value});
-  constexpr double beyond = 1e9;  // [Pa] no bag has
+  constexpr double beyond = 1e9;  // [Pa] more than in any bag
   if (points.size() == 1) points.insert(points.begin(), {-beyond, points.front()[1]});
   points.push_back({points.back()[0] + beyond, points.back()[1]});
   return points;
 }
 
-// 1 while a trigger is on, 0 else: it comes on and goes off at `times` in turn.
+// 1 while a trigger is on, else 0. It comes on and goes off at `times` in turn.
 DeckCurve on_and_off(const std::vector<double>& times, double end) {
   const double jump = 1e-6 * end;
   DeckCurve points{{0.0, times.front() == 0.0 ? 1.0 : 0.0}};
@@ -45,7 +45,7 @@ DeckCurve opened_at(double time, const gas::Curve& area, double end) {
   return points;
 }
 
-// When a vent is open. Returns why the deck cannot say it, if it cannot.
+// Sets when a vent is open. If the deck cannot represent that, returns the reason.
 std::string add_trigger(const Scene& scene, const gas::Vent& vent, DeckVent& opening) {
   const auto times = times_of(scene, vent.trigger);
   if (!times) {

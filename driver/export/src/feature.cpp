@@ -48,10 +48,10 @@ bool is_below(const std::string& path, const std::string& part) {
   return path == part || path.starts_with(part + '.');
 }
 
-// What the parts that a deck has read: sensors, triggers and species.
+// Sensors, triggers and species that the parts of a deck use.
 struct Served {
-  std::vector<bool> nodes;        // of the triggers
-  std::set<std::string> species;  // names
+  std::vector<bool> nodes;        // nodes of the triggers
+  std::set<std::string> species;  // names of species
 
   explicit Served(const Deck& deck) {
     if (!deck.scene->gas) return;
@@ -82,7 +82,7 @@ struct Served {
   }
 };
 
-// Paths of what serves no part of the deck.
+// Paths of settings that serve no part of the deck.
 std::vector<std::string> idle_paths(const CaseDocument& document, const Deck& deck) {
   const Served served(deck);
   std::vector<std::string> idle;
@@ -102,7 +102,7 @@ std::vector<std::string> idle_paths(const CaseDocument& document, const Deck& de
   return idle;
 }
 
-// What becomes of a key does not follow from the table alone if its part is left out.
+// Marks the keys of parts that the deck leaves out, and keys that serve nothing in the deck.
 void leave_out(const CaseDocument& document, const Deck& deck, std::vector<UsedFeature>& used) {
   const auto idle = idle_paths(document, deck);
   for (UsedFeature& feature : used) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of each key: the tables.
+// The tables of how decks represent each key.
 #include "export/feature.hpp"
 
 namespace driver {

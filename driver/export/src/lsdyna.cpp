@@ -118,7 +118,8 @@ void LsDynaDeck::plate(const membrane::Plate& wall) {
 void LsDynaDeck::damping() {
   const membrane::BagDescription& d = bag().model.description;
   const double rate = d.mass_damping * u_.time, beta = d.stiffness_damping / u_.time;
-  const bool of_parts = deck_.scene->pendulum.has_value();  // of the bag alone, not of the pendulum
+  const bool of_parts = deck_.scene->pendulum.has_value();  // gravity acts on the bag only, not on the
+                                                            // pendulum
   if (rate > 0.0 && !of_parts) {
     out_.keyword("DAMPING_GLOBAL");
     out_.row({{"LCID", whole(0, 10)}, {"VALDMP", narrow(rate)}});
@@ -141,7 +142,7 @@ void LsDynaDeck::pressure() {
   std::vector<int> elements(static_cast<std::size_t>(bag().mesh.element_count()));
   std::iota(elements.begin(), elements.end(), 1);
   out_.set("SHELL", bag_shells, elements);
-  constexpr double along_normals = -1.0;  // above zero a pressure acts against them
+  constexpr double along_normals = -1.0;  // a positive pressure acts against them
   out_.keyword("LOAD_SHELL_SET_ID");
   out_.line(fmt::format("{:>10}{}", 1, "overpressure"));
   out_.row({{"ESID", whole(bag_shells, 10)},
@@ -156,7 +157,7 @@ void LsDynaDeck::loads() {
   for (int axis = 0; axis < 3; ++axis) {
     if (g(axis) == 0.0) continue;
     out_.keyword(fmt::format("LOAD_BODY_{}", "XYZ"[axis]));
-    // The card is the acceleration of the frame, the load points the other way.
+    // The card gives the acceleration of the frame; the load points the other way.
     out_.row({{"LCID", whole(constant_one, 10)}, {"SF", narrow(-g(axis))}});
   }
 }

@@ -13,13 +13,13 @@
 
 namespace driver {
 
-/// Numbers of what an LS-DYNA deck has once.
+/// Numbers of single objects of an LS-DYNA deck.
 struct LsDynaIds {
   enum Set { bag_parts = 1, bag_shells = 1, bag_set = 1, free_set, first_held_set };  // parts; shells; nodes
   static constexpr int constant_one = 1;                                              // curve
 };
 
-/// Cards in an LS-DYNA deck's units, with the keywords that several of its blocks have.
+/// Cards in an LS-DYNA deck's units, with the keywords that several blocks use.
 class LsDynaCards : public Cards {
  public:
   /// A field with its name, which stands above it in a comment.
@@ -32,7 +32,7 @@ class LsDynaCards : public Cards {
   int next_curve() { return next_curve_++; }
   void keyword(std::string_view name);
   void row(std::initializer_list<Entry> entries);
-  /// `intervals`: even steps in which the program reads the curve again; 0 is its default, a hundred.
+  /// `intervals`: even steps on which the program resamples the curve; 0 is its default, a hundred.
   void curve(int id, const DeckCurve& points, double x_unit, double y_unit, int intervals = 0);
   /// A curve of overpressure as one of absolute pressure.
   void curve_of_pressure(int id, const DeckCurve& points, double ambient, double y_unit);
@@ -47,8 +47,8 @@ class LsDynaCards : public Cards {
   int next_curve_ = LsDynaIds::constant_one + 1;
 };
 
-/// The one opening of an LS-DYNA airbag, with a coefficient of time and an area of pressure, and the second
-/// one that it has if no fabric leaks.
+/// The one opening of an LS-DYNA airbag, with a coefficient over time and an area over pressure, and the
+/// second opening that is free if no fabric leaks.
 struct LsDynaVents {
   double area = 0.0;                         // [m2] with the discharge coefficient
   std::optional<DeckCurve> of_time;          // [-] of time [s], a factor
@@ -63,7 +63,7 @@ LsDynaVents lsdyna_vents(const Deck& deck);
 void write_lsdyna_fabric(const Deck& deck, LsDynaCards& out);
 void write_lsdyna_straps(const Deck& deck, LsDynaCards& out);
 void write_lsdyna_airbag(const Deck& deck, LsDynaCards& out);
-/// With its joint and contact.
+/// The pendulum with its joint and contact.
 void write_lsdyna_pendulum(const Deck& deck, LsDynaCards& out);
 
 }  // namespace driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airbag of an LS-DYNA deck: *AIRBAG_HYBRID, whose first gas is that of the start.
+// The airbag of an LS-DYNA deck: *AIRBAG_HYBRID, whose first gas is the initial gas.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ double value_at(const DeckCurve& curve, double x) {
   return curve.back()[1];
 }
 
-// The sum of curves, each times its factor, at the knots of all of them.
+// A curve and its factor in a sum of curves.
 struct Term {
   double factor;
   DeckCurve curve;
@@ -51,7 +51,7 @@ bool is_plain(const DeckVent& vent) {
   return !vent.of_time && !vent.of_overpressure && vent.opens_at == 0.0 && !vent.opens_at_overpressure;
 }
 
-// One vent: coefficient of time, area of pressure and pressure of opening are all there.
+// One vent with its coefficient over time, area over pressure and pressure of opening.
 LsDynaVents single(const DeckVent& vent, double end) {
   LsDynaVents vents;
   vents.area = vent.area;
@@ -117,7 +117,7 @@ namespace {
 
 void gas_cards(const DeckGas& mixture, double initial, const std::array<int, 2>& curves, LsDynaCards& out) {
   const Units& u = out.units();
-  const double unit = u.energy() / mixture.molar_mass;  // of cp by amount
+  const double unit = u.energy() / mixture.molar_mass;  // unit of cp by amount
   out.row({{"LCIDM", whole(curves[0], 10)},
            {"LCIDT", whole(curves[1], 10)},
            {"", blank(10)},
@@ -136,7 +136,7 @@ void write_lsdyna_airbag(const Deck& deck, LsDynaCards& out) {
   const Scene& scene = *deck.scene;
   const double start_temperature = scene.gas->initial_temperature;
   const LsDynaVents vents = lsdyna_vents(deck);
-  std::vector<std::array<int, 2>> flows{{0, 0}};  // none: the gas that is in the bag at the start
+  std::vector<std::array<int, 2>> flows{{0, 0}};  // first, without inflow: the gas in the bag at the start
   for (const DeckInflator& inflator : deck.inflators) {
     const int flow = out.next_curve();
     flows.push_back({flow, out.next_curve()});

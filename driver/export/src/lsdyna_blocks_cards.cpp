@@ -39,8 +39,8 @@ void LsDynaCards::curve(int id, const DeckCurve& points, double x_unit, double y
 void LsDynaCards::curve_of_pressure(int id, const DeckCurve& points, double ambient, double y_unit) {
   DeckCurve absolute;
   for (const auto& [pressure, value] : points) absolute.push_back({ambient + pressure, value});
-  // Some programs read curves again on a hundred even steps: the last knot, which only holds the value,
-  // stands near the others, and a first one at zero.
+  // Some programs resample curves on a hundred even steps. Therefore the last knot, which only holds the
+  // value, is near the others, and the first is at zero.
   const double last = absolute[absolute.size() - 2][0];
   absolute.back()[0] = std::max(last, 0.0) + ambient;
   while (absolute.size() > 1 && absolute[1][0] <= 0.0) absolute.erase(absolute.begin());

@@ -20,20 +20,20 @@ class LsDynaFabric {
   void material(const DeckPart& p);
   void reference();
   void thread_curves();
-  /// [Pa] Of warp or weft; of a curve the steepest, which the time step rests on.
+  /// [Pa] modulus of warp or weft; for a curve the steepest slope, which determines the time step.
   double modulus(std::size_t thread, double linear) const {
     return threads_[thread] ? deck_.threads[thread].steepest : linear;
   }
 
   const Deck& deck_;
   const Units& u_;
-  std::vector<int> leak_curves_;      // of the parts that leak by a table
+  std::vector<int> leak_curves_;      // curves of the parts that leak by a table
   std::array<int, 2> threads_{0, 0};  // curves of warp and weft, of fabric by measured curves
   LsDynaCards& out_;
 };
 
 void LsDynaFabric::section(int id, double thickness) {
-  // Fully integrated: with its third and fourth node the same it is the triangle of constant strain.
+  // Fully integrated. If its third and fourth node are the same, it is the constant-strain triangle.
   constexpr int membrane = 9;
   out_.keyword("SECTION_SHELL");
   out_.row({{"SECID", whole(id, 10)},
@@ -95,7 +95,7 @@ void LsDynaFabric::material(const DeckPart& p) {
   const auto& description = bag().model.description;
   const bool green = description.law == "saint_venant_kirchhoff";
   constexpr double green_lagrange = 12.0, invariant = 1.0, by_curves = 14.0;
-  constexpr double by_share = 3.0, by_velocity = 7.0;  // by share: Graefe's formula, which never chokes
+  constexpr double by_share = 3.0, by_velocity = 7.0;  // by share uses Graefe's formula, which never chokes
   double coefficient = 0.0, factor = 0.0, option = 0.0;
   for (std::size_t i = 0; i < deck_.leaks.size(); ++i) {
     const DeckLeak& leak = deck_.leaks[i];

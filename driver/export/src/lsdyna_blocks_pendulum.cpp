@@ -28,7 +28,7 @@ class LsDynaPendulum {
 };
 
 void LsDynaPendulum::rigid_material(int id, bool held) {
-  // Density and modulus serve the contact and the time step; the pendulum's mass is that of its part.
+  // Density and modulus only affect contact and time step; the part gives the pendulum's mass.
   constexpr double density = 1000.0, modulus = 1e9, poisson = 0.3;  // [kg/m3], [Pa], [-]
   constexpr int all_directions = 7;
   out_.keyword("MAT_RIGID");
@@ -44,7 +44,8 @@ void LsDynaPendulum::rigid_material(int id, bool held) {
   out_.keyword("SECTION_SHELL");
   out_.row(
       {{"SECID", whole(id, 10)}, {"ELFORM", whole(shell, 10)}, {"SHRF", narrow(1.0)}, {"NIP", whole(2, 10)}});
-  const Field t = narrow(2.0 * deck_.contact_gap / u_.length);  // half of it is outside: the sphere's radius
+  const Field t = narrow(2.0 * deck_.contact_gap / u_.length);  // half of the thickness is outside the
+                                                                // sphere's radius
   out_.row({{"T1", t}, {"T2", t}, {"T3", t}, {"T4", t}});
 }
 
@@ -142,7 +143,7 @@ void LsDynaPendulum::contact() {
             {"SFMT", one},
             {"FSF", one},
             {"VSF", one}});
-  constexpr int by_mass_and_step = 1;  // stiffness, as fabric is soft against a rigid body
+  constexpr int by_mass_and_step = 1;  // stiffness from mass and step, as fabric is soft against a rigid body
   out_.row({{"SOFT", whole(by_mass_and_step, 10)}});
 }
 

@@ -12,7 +12,7 @@
 
 namespace driver {
 
-/// Numbers of what a Radioss deck has once.
+/// Numbers of single objects of a Radioss deck.
 struct RadiossIds {
   enum Group {
     all_nodes = 1,
@@ -22,14 +22,14 @@ struct RadiossIds {
     pendulum_main,
     support_nodes,
     support_main,
-    first_held_nodes  // the last: there may be several
+    first_held_nodes  // last, because there may be several
   };
   static constexpr int bag_surface = 1;
   static constexpr int void_law = 901, void_property = 901, joint_property = 902, strap_property = 300;
   static constexpr int constant_one = 1;  // function
 };
 
-/// Cards in a Radioss deck's units, with the keywords that several of its blocks have.
+/// Cards in a Radioss deck's units, with the keywords that several blocks use.
 class RadiossCards : public Cards, public RadiossIds {
  public:
   explicit RadiossCards(const Units& units) : u_(units) {}
@@ -55,7 +55,7 @@ void write_radioss_fabric(const Deck& deck, RadiossCards& out);
 void write_radioss_straps(const Deck& deck, RadiossCards& out);
 /// /MONVOL, its gases, inflators and functions.
 void write_radioss_airbag(const Deck& deck, RadiossCards& out);
-/// With its joint and contact.
+/// The pendulum with its joint and contact.
 void write_radioss_pendulum(const Deck& deck, RadiossCards& out);
 
 }  // namespace driver

@@ -7,8 +7,8 @@
 namespace driver {
 namespace {
 
-constexpr int gas_material = 1000;  // the first; the inflators' follow
-constexpr int injector = 2000;      // the first
+constexpr int gas_material = 1000;  // the first gas; the inflators' gases follow
+constexpr int injector = 2000;      // the first injector
 constexpr double never = 1e20;      // [s], [Pa] in the deck's units
 
 void gas_card(int id, const DeckGas& gas, const Units& u, Cards& out) {
@@ -74,8 +74,7 @@ void vent_cards(const DeckVent& vent, const VentFunctions& functions, const Unit
       {whole(0, 10), whole(0, 10), whole(0, 10), blank(10), real(1.0, 20), real(1.0, 20), real(1.0, 20)});
 }
 
-// How much of the surface is open is said by the material of its part. Its flow never chokes (Graefe's
-// formula).
+// The material of the part gives the open share of the surface. Its flow never chokes (Graefe's formula).
 void leak_cards(const DeckLeak& leak, int surface, int velocity, Cards& out) {
   constexpr int by_velocity = 2, by_share = 3;
   out.line(
@@ -137,7 +136,7 @@ void write_radioss_airbag(const Deck& deck, RadiossCards& out) {
   out.card({real(1.0, 20), real(1.0, 20), real(1.0, 20), real(1.0, 20), real(1.0, 20)});
   out.line(
       "#   mat_ID                            Mu                Pext                  T0     Iequi      Ittf");
-  constexpr double no_viscosity = 1e-10;  // zero stands for a default of 0.01
+  constexpr double no_viscosity = 1e-10;  // zero would mean the default, 0.01
   out.card({whole(gas_material, 10), blank(10), real(no_viscosity, 20),
             real(ambient.pressure / u.pressure(), 20), real(deck.scene->gas->initial_temperature, 20),
             whole(0, 10), whole(0, 10)});

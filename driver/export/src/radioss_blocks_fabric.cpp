@@ -72,12 +72,11 @@ void RadiossFabric::material(const DeckPart& p) {
   const Field G = real(shear / u_.pressure(), 20);
   out_.card({G, G, G});
   out_.line("#                R_E");
-  constexpr double slack = 1e-3;  // of the stress in compression, the least that the program takes
+  constexpr double slack = 1e-3;  // share of the stress in compression, the smallest that the program accepts
   out_.card({real(bag().model.description.compression == membrane::Compression::none ? slack : 1.0, 20)});
 }
 
-// The airbag takes of a porous surface what the material says is open of it, and nothing of a material that
-// is silent.
+// Sets the open share in the material: without it the airbag treats a porous surface as tight.
 void RadiossFabric::porous(const DeckLeak& leak) {
   constexpr int by_factors = 1;
   out_.title(fmt::format("/LEAK/MAT/{}", leak.part), "share of the area that is open");
@@ -89,15 +88,15 @@ void RadiossFabric::porous(const DeckLeak& leak) {
   out_.card({real(leak.velocity ? 1.0 : leak.share, 20), real(1.0, 20)});
 }
 
-// Strain by increments is logarithmic and close to the case's law. But its shear drifts in fabric that shears
-// easily, which has a weave: there strain is a linear one about the design shape.
+// Incremental strain is logarithmic and close to the case's law, but its shear drifts in woven fabric, which
+// shears easily. Woven fabric therefore has a linear strain about the design shape.
 int strain_of(const DeckPart& p) {
   constexpr int by_increments = 4, total = 11;
   return p.fabric.weave ? total : by_increments;
 }
 
 void RadiossFabric::property(const DeckPart& p) {
-  // Of an isotropic fabric any direction that no element is normal to.
+  // For isotropic fabric, any direction that is not normal to an element.
   const Eigen::Vector3d warp =
       p.fabric.weave ? p.fabric.weave->warp.normalized() : Eigen::Vector3d(0.5374, 0.6412, 0.5478);
   out_.title(fmt::format("/PROP/SH_ORTH/{}", p.id), p.name);
@@ -117,9 +116,10 @@ void RadiossFabric::property(const DeckPart& p) {
       {real(warp.x(), 20), real(warp.y(), 20), real(warp.z(), 20), real(0.0, 20), blank(10), whole(0, 10)});
 }
 
-// A thread has next to no stress in compression; the program wants functions that rise everywhere.
+// Functions of threads, with almost no stress in compression: the program needs functions that rise
+// everywhere.
 void RadiossFabric::thread_functions() {
-  constexpr double slack = 1e-6;  // of the steepest piece
+  constexpr double slack = 1e-6;  // share of the steepest slope
   for (std::size_t i = 0; i < 2; ++i) {
     const DeckThread& thread = deck_.threads[i];
     DeckCurve curve = thread.curve;
@@ -129,12 +129,12 @@ void RadiossFabric::thread_functions() {
   }
 }
 
-// LAW58: nominal stress over the elongation of the fibres of a weave. Its crimp, by which it couples warp and
-// weft, is next to nothing here: what it adds to a strain is three times as much at most.
+// LAW58: nominal stress over the elongation of the fibres of a weave. Its crimp, which couples warp and weft,
+// is almost zero here: it adds at most three times its value to a strain.
 void RadiossFabric::thread_material(const DeckPart& p) {
   const Field none = real(0.0, 20), crimp = real(1e-6, 20), flex = real(0.01, 20);
   const double shear = p.fabric.weave->shear / u_.pressure();
-  const double locking = 45.0;  // [deg] Beyond it the shear goes on along the same line: its square is 1.
+  const double locking = 45.0;  // [deg] its tangent squared is 1: beyond it the shear follows the same line.
   out_.title(fmt::format("/MAT/FABR_A/{}", p.id), p.name);
   out_.line("#              RHO_I");
   out_.card({real(p.fabric.density / u_.density(), 20)});
@@ -183,7 +183,8 @@ void RadiossFabric::thread_property(const DeckPart& p) {
 void RadiossFabric::reference(const DeckPart& p) {
   out_.title(fmt::format("/XREF/{}", p.id), p.name);
   out_.line("#    Nitrs");
-  constexpr int increments = 10000;  // from design to start shape; of a bag that is folded flat 100 leave 4 %
+  constexpr int increments = 10000;  // from design to start shape; for a bag folded flat 100 steps leave an
+                                     // error of 4 %
   out_.card({whole(increments, 10)});
   out_.line("#  node_ID                   X                   Y                   Z");
   for (const int n : corners_of(deck_, p.elements)) out_.node(n, bag().mesh.nodes.col(n - 1));
@@ -205,7 +206,7 @@ void write_radioss_straps(const Deck& deck, RadiossCards& out) {
     const int number = static_cast<int>(i), property = RadiossIds::strap_property + number;
     const int curve = out.function("force of a strap", force_of(deck, strap), u.length, u.force());
     out.title(fmt::format("/PROP/SPRING/{}", property), "strap");
-    constexpr double light = 1e-6;  // of the fabric's mass
+    constexpr double light = 1e-6;  // share of the fabric's mass
     out.line("#               MASS                                 sens_ID    Isflag     Ileng");
     out.card(
         {real(light * bag.fabric_mass / u.mass, 20), blank(30), whole(0, 10), whole(0, 10), whole(0, 10)});

@@ -30,7 +30,7 @@ class RadiossPendulum : private RadiossIds {
 
 void RadiossPendulum::body(int id, std::string_view name, int main, Group nodes, double mass,
                            double inertia) {
-  constexpr int as_given = 4;  // mass and inertia are those of the card, the main node stays where it is
+  constexpr int as_given = 4;  // mass and inertia as on the card; the main node does not move
   out_.title(fmt::format("/RBODY/{}", id), name);
   out_.line(
       "#  node_ID   sens_ID   Skew_ID    Ispher                Mass   grnd_ID     Ikrem      ICoG   surf_ID");
@@ -90,7 +90,7 @@ void RadiossPendulum::joint(const coupling::PendulumParameters& p) {
   out_.title("/SKEW/MOV/1", "joint, x along the axis");
   out_.line("#       N1        N2        N3       DIR");
   out_.card({whole(ids_.pivot, 10), whole(ids_.along, 10), whole(ids_.across, 10), word("X", 10)});
-  // As stiff as lets the pendulum's mass swing on it a hundred times within the run.
+  // A stiffness at which the pendulum's mass would swing a hundred times within the run.
   const double rate = 200.0 * std::numbers::pi / deck_.scene->time.end;
   constexpr int revolute = 2;
   out_.title(fmt::format("/PROP/KJOINT2/{}", joint_property), "revolute joint");

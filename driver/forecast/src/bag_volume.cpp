@@ -20,13 +20,13 @@ namespace {
 constexpr double first_overpressure =
     100.0;  // [Pa] a thousandth of the ambient one: a limp bag is open by then
 constexpr double factor = 2.0;
-constexpr double at_rest = 1e-5;    // kinetic energy over p V
-constexpr double settled = 1e-4;    // change of the volume within a span, its share
-constexpr double step_share = 0.9;  // of the critical step
+constexpr double at_rest = 1e-5;    // kinetic energy divided by p V
+constexpr double settled = 1e-4;    // relative change of the volume within a span
+constexpr double step_share = 0.9;  // share of the critical step
 constexpr int most_spans = 200;
 
-/// The bag under a prescribed overpressure, damped as fast as the pressure moves it: a span is
-/// sqrt(m / (p sqrt(A))), in which p moves the skin by about its own size, and the damping one over that.
+/// The bag under a prescribed overpressure p. In a span of sqrt(m / (p sqrt(A))) the pressure moves the skin
+/// by about its own size; the damping rate is one over the span.
 class BagAtRest {
  public:
   explicit BagAtRest(const Scene& scene)
@@ -83,7 +83,7 @@ std::optional<gas::Curve> bag_volume(const Scene& scene, bool quiet) {
       std::ceil(elementary::log(std::max(highest / first_overpressure, 1.0)) / elementary::log(factor));
   Progress progress(scene.name + ", bag at rest", factors + 1.0, quiet);
   for (double i = 0.0; i <= factors && !interrupted(); ++i) {
-    // Wrinkles settle one way or another: no volume is taken for less than that at a lower pressure.
+    // Wrinkles settle in different ways: no volume counts as less than the volume at a lower pressure.
     const double overpressure = first_overpressure * elementary::pow(factor, i);
     knots.push_back({overpressure, std::max(bag.volume_at(overpressure), knots.back().value)});
     progress.update(i + 1.0);

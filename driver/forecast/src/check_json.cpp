@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `gasjet check` knows of a case, as JSON for other programs.
+// The results of `gasjet check` as JSON for other programs.
 #include "forecast/check_json.hpp"
 
 #include <cmath>
@@ -55,7 +55,7 @@ Json species_of(const gas::Thermo& thermo) {
   return all;
 }
 
-// By mass, `air` resolved.
+// Fractions by mass; air as its four species.
 Json fractions_of(const gas::Thermo& thermo, const std::vector<double>& mass_fractions) {
   Json all = Json::object();
   for (std::size_t k = 0; k < mass_fractions.size(); ++k)
@@ -68,7 +68,7 @@ Json point_of(const BagPart& bag, int node) {
   return {point.x(), point.y(), point.z()};
 }
 
-// Where the straps begin and end in the design shape; a generated mesh brings its own places.
+// Ends of the straps in the design shape; a generated mesh has its own.
 Json straps_of(const BagPart& bag) {
   Json straps = Json::array();
   for (const auto& strap : bag.model.description.straps)

@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Mean side of the surface's elements as sewn: that of equilateral triangles of the same area.
+// Mean side of the surface's elements as sewn, as of equilateral triangles of the same area.
 double mean_side(const Scene& scene) {
   const auto& model = scene.bag->model;
   double area = 0.0;
@@ -52,7 +52,7 @@ struct Groups {
   }
 };
 
-// Of the gas at the start, its outflow choked, and of the full volume; the faster one [1/s].
+// The faster relaxation rate [1/s] of two: the gas at the start with choked outflow, and the full volume.
 double relaxation_rate(double mass_at_start, const Forecast& f) {
   if (!(mass_at_start > 0.0)) return f.full->relaxation;
   return std::max(gas::outflow_relaxation_rate(f.full->gamma, f.supply.peak_flow / mass_at_start, 1.0),
@@ -175,11 +175,11 @@ double gas_substeps(const Scene& scene, double relaxations) {
 }
 
 std::string gas_advice(const Scene& scene, const Forecast& f) {
-  constexpr double many = 1e5;  // some 0.1 s, at a microsecond each: less is not worth a change of method
+  constexpr double many = 1e5;  // some 0.1 s, at a microsecond each; fewer are not worth a change of method
   if (!f.full) return {};
   const double all = gas_substeps(scene, f.full->relaxations);
   if (!(all > many)) return {};
-  // In one call: a step at the peak flow, or all of a shorter pulse.
+  // Sub-steps in one call: a step at the peak flow, or all of a shorter pulse.
   const double of_a_step = gas_substeps(scene, std::min(f.full->relaxations, f.step * f.full->relaxation));
   const int most = scene.gas->integrator.maximum_steps;
   return fmt::format(

@@ -14,7 +14,7 @@
 namespace driver {
 namespace {
 
-// Vents as they are once open, as wide as they get with time; nothing comes in.
+// The model with all vents open, at their largest area over time, and without inflow.
 gas::ControlVolumeModel opened(gas::ControlVolumeModel model) {
   model.inflows.clear();
   for (auto& vent : model.vents) {
@@ -26,8 +26,8 @@ gas::ControlVolumeModel opened(gas::ControlVolumeModel model) {
   return model;
 }
 
-// The pressure [Pa] in a volume that follows it, after `work` [J] of inflows and none out, by (K.30) with p
-// dV instead of p_a dV: int p dV = p V - p0 V0 - int V dp.
+// The pressure [Pa] in a volume that follows it, after `work` [J] of inflow without outflow: (K.30) with p dV
+// instead of p_a dV, int p dV = p V - p0 V0 - int V dp.
 double closed_pressure(const gas::Curve& volume, double ambient, double start, double gamma, double work) {
   const auto product = [&](double p) { return p * volume.value(p - ambient); };
   const auto missing = [&](double p) {
@@ -42,7 +42,7 @@ double closed_pressure(const gas::Curve& volume, double ambient, double start, d
   return high;
 }
 
-// The openings of the full volume, holding gas at the mean temperature of what comes in.
+// The openings of the full volume, with gas at the mean temperature of the inflow.
 class FullOpenings {
  public:
   FullOpenings(const Scene& scene, const Supply& supply, double volume, double leak_area)
@@ -64,7 +64,7 @@ class FullOpenings {
     return point.vent_mass_flow + point.fabric_mass_flow;
   }
 
-  // Pressure [Pa] up to `high` at which they let out `flow` [kg/s]; `high` if they do not.
+  // Pressure [Pa] at which they let out `flow` [kg/s], at most `high`.
   double balance(double flow, double high) const {
     const auto excess = [&](double pressure) { return outflow(pressure) - flow; };
     if (!(excess(high) > 0.0)) return high;
@@ -79,7 +79,7 @@ class FullOpenings {
   double temperature_, volume_, leak_area_;
 };
 
-// The faster rate [1/s] at which gas relaxes while its openings let out what comes in, (G.14).
+// The faster relaxation rate [1/s] of the gas while outflow equals inflow (G.14).
 double relaxation_rate(const gas::GasPoint& point, double inflow, double ambient_pressure) {
   const double out = point.vent_mass_flow + point.fabric_mass_flow, flow = std::min(out, inflow);
   if (!(flow > 0.0)) return 0.0;
@@ -91,7 +91,7 @@ double relaxation_rate(const gas::GasPoint& point, double inflow, double ambient
   return gas::outflow_relaxation_rate(point.gamma, flow / point.mass, exponent);
 }
 
-// (K.39), by the midpoint rule.
+// Number of relaxations (K.39), by the midpoint rule.
 double relaxations(const Scene& scene, const FullOpenings& openings, const FullState& full) {
   constexpr int pieces = 400;
   const gas::GasPoint point = openings.at(full.pressure);
@@ -106,8 +106,8 @@ double relaxations(const Scene& scene, const FullOpenings& openings, const FullS
   return sum * scene.time.end / pieces;
 }
 
-// As sewn. A flat design encloses nothing: it becomes about a balloon of two discs of as much fabric, the
-// more so the flatter it is.
+// Volume as sewn. A flat design encloses nothing; it inflates to about a balloon of two discs of the same
+// fabric area. The flatter a design, the closer it comes to that.
 double sewn_volume(const mesh::Mesh& mesh) {
   constexpr double kBalloon =
       1.2185242;  // volume over radius^3 of the discs: Paulsen, the Mylar balloon, 1994

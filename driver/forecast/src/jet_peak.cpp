@@ -35,7 +35,7 @@ void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::st
         part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
 }
 
-// How far the jet has to go [m].
+// Distance [m] that the jet has to cover.
 double way(const Scene& scene, const jet::JetModel& model) {
   const auto along = [&](const Eigen::Matrix3Xd& nodes) {
     return (model.axis.transpose() * (nodes.colwise() - model.centre)).maxCoeff();
@@ -44,8 +44,8 @@ double way(const Scene& scene, const jet::JetModel& model) {
                    : along(scene.target->nodes);
 }
 
-// A cone as wide as the edges between which textbooks draw a plane jet carries up to 2.6 times its momentum
-// (cases/jet_slot_plate.toml), one as wide as those of a round jet 4 times.
+// Warns of a cone with the edges at which textbooks draw a jet: it carries up to 2.6 times the momentum of a
+// plane jet (cases/jet_slot_plate.toml), and 4 times that of a round one.
 void warn_of_cone(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
   constexpr double most = 3.0;
   constexpr int pieces = 100;
@@ -68,7 +68,7 @@ void warn_of_cone(const Scene& scene, const JetPart& part, std::vector<std::stri
 
 void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
   jet::VisibilityQuery query(scene.bag->mesh.elements, scene.bag->model.node_count);
-  // Each source of a slot asks all elements; they lie on one segment, so a few hundred of them tell.
+  // Each source of a slot tests all elements. The sources lie on one segment, so a few hundred are enough.
   constexpr int most = 256;
   const int count = scene.bag->model.element_count, stride = 1 + (count - 1) / most;
   std::vector<int> some;
@@ -82,7 +82,7 @@ void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::stri
                     part.inflator, other, windings.size()));
 }
 
-// An outlet stays where it is, wherever its jet drives the bag.
+// Warns that an outlet stays in place while its jet drives a free bag away.
 void warn_of_free_bag(const Scene& scene, std::vector<std::string>& warnings) {
   const membrane::BagDescription& bag = scene.bag->model.description;
   const bool held = !bag.fixed_nodes.empty() ||

@@ -85,8 +85,8 @@ void add_comparison(Json& run, const std::filesystem::path& history, const Repor
   }
 }
 
-// What a laboratory's filter makes of the rows, where they are close enough: their highest frequency is ten
-// times the class, as SAE J211 asks.
+// Adds the rows as filtered in a laboratory, if their sampling rate is at least ten times the class, as SAE
+// J211 requires.
 void add_filtered(Json& run, const std::filesystem::path& file, const PageTable& table) {
   const std::vector<std::string> names{"time_s", "pendulum_cg_tangential_m_s2", "pendulum_cg_radial_m_s2"};
   for (const auto& name : names)
@@ -105,21 +105,21 @@ void add_filtered(Json& run, const std::filesystem::path& file, const PageTable&
   run["filtered"] = {{"columns", {"time_s", "pendulum_cg_acceleration,_CFC_180_m_s2"}}, {"rows", text}};
 }
 
-// The run that wrote a table; empty: it does not say.
+// The id of the run that wrote a table; empty if the table has none.
 std::string run_line(const PageTable& table) {
   for (const auto& [name, text] : table.lines)
     if (name == "run") return text;
   return {};
 }
 
-// Where no status says so: are two files of one run?
+// Throws CaseError unless two files are of one run; for folders without a status.
 void require_same_run(const std::filesystem::path& file, const std::string& own, const PageTable& main) {
   if (const auto other = run_line(main); !own.empty() && !other.empty() && own != other)
     throw CaseError(fmt::format("{}: is of the run '{}', the table beside it of '{}': run the case again",
                                 file.string(), own, other));
 }
 
-// Two tables of one run end together.
+// Throws CaseError unless two tables of one run end at the same time.
 void require_same_run(const std::filesystem::path& file, const PageTable& table, const PageTable& main) {
   require_same_run(file, run_line(table), main);
   if (table.end != main.end)
@@ -137,7 +137,7 @@ void require_end(double end, const char* who, const std::filesystem::path& file,
                                 file.string(), last, end, who));
 }
 
-// What a run that is done has written ends where the run did.
+// Throws CaseError unless a file of a finished run ends with the run.
 void require_end(const Json& run, const std::filesystem::path& file, double last) {
   if (!run.contains("summary")) return;
   const Json& summary = run["summary"];
@@ -145,7 +145,7 @@ void require_end(const Json& run, const std::filesystem::path& file, double last
     require_end(summary["time_end_s"], "summary.json", file, last);
 }
 
-// The page shows what is there; only the history has to be.
+// The page shows the files that exist; only the history is required.
 Json gather_run(const std::filesystem::path& folder, const ReportOptions& options) {
   Json run = start(folder, "run");
   const PageTable history = add_table(run, "history", folder / "history.csv", options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a result says to the page.
+// The data of a result for the page.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace driver {
 
-/// One result, as page/main.js reads it. Throws as report_page.
+/// One result in the form that page/main.js reads. Throws as report_page.
 std::vector<nlohmann::ordered_json> gather(const std::filesystem::path& result, const ReportOptions& options);
 
 }  // namespace driver

@@ -29,13 +29,13 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// By zlib, which the page's DecompressionStream reads.
+// Compressed by zlib, for the page's DecompressionStream.
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
   if (compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
                bytes.size()) != Z_OK)
-    throw std::bad_alloc();  // the only fault of a buffer of that size
+    throw std::bad_alloc();  // the only possible failure with a buffer of that size
   packed.resize(size);
   return packed;
 }
@@ -46,7 +46,7 @@ double number_at(std::string_view frame, std::size_t place) {
   return number;
 }
 
-// Every k-th frame, so that they are no more than `most` bytes.
+// Every k-th frame, with the least k for at most `most` bytes.
 std::string thinned(const std::string& frames, std::size_t size, std::size_t most) {
   const std::size_t every = (frames.size() + most - 1) / most;
   if (every <= 1) return frames;

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Two results of one name are told apart by a number.
+// Numbers distinguish results of the same name.
 void name_apart(std::vector<Json>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     int number = 1;
@@ -26,7 +26,7 @@ void name_apart(std::vector<Json>& results) {
   }
 }
 
-// JSON that an HTML parser takes for text: no `<` is left, so no tag or comment can begin.
+// JSON as text for an HTML parser: without `<`, so that no tag or comment can begin.
 std::string as_text(const Json& data) {
   const std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text;

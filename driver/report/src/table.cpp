@@ -22,7 +22,7 @@ class Reader {
   explicit Reader(const std::filesystem::path& file) : file_(file), stream_(file, std::ios::binary) {
     if (std::filesystem::is_directory(file) || !stream_) throw CaseError(file.string() + ": cannot be read");
   }
-  /// The next line that is no comment and not empty.
+  /// The next line that is neither a comment nor empty.
   bool next(std::string& line, PageTable* table = nullptr) {
     while (std::getline(stream_, line)) {
       ++number_;
@@ -65,7 +65,7 @@ std::vector<std::string> header(Reader& reader, PageTable& table) {
   return names;
 }
 
-// Columns that stand around another one: ends of an interval, or its half width.
+// Columns that belong to another one: ends of an interval, or its half width.
 class Bands {
  public:
   explicit Bands(const std::vector<std::string>& names) : names_(names) {
@@ -127,7 +127,7 @@ std::size_t count_rows(const std::filesystem::path& file) {
   return rows - std::min<std::size_t>(rows, 1);
 }
 
-// A row that is the least or the largest so far in its column.
+// The row with the smallest or largest value so far in a column.
 struct Extreme {
   double value = 0.0;
   std::size_t row = 0;

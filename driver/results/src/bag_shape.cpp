@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
   throw CaseError(fmt::format("{}: {}", file.string(), message));
 }
 
-// Place of the kept time that is nearest to the one asked for.
+// Position of the stored time nearest to `time`.
 std::size_t nearest(const std::vector<double>& times, double time, const std::filesystem::path& file) {
   const double slack = 1e-9 * std::abs(times.back());
   if (!(time >= times.front() - slack && time <= times.back() + slack))
@@ -36,10 +36,10 @@ std::size_t nearest(const std::vector<double>& times, double time, const std::fi
   return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), later) - times.begin());
 }
 
-// Text of an XML file that this program wrote: its numbers and attributes, from one place to the next.
+// Text of an XML file that this program wrote. Its numbers and attributes are read one after another.
 class XmlText {
  public:
-  // Refuses a file of a run that has not ended, or of another one than its folder.
+  // Throws CaseError for a file of a run that has not ended, or of another run than its folder.
   explicit XmlText(const std::filesystem::path& file) : file_(file), text_(read_text(file)) {
     need("<!-- run: ");
     const auto end = std::min(text_.find(" -->", at_), text_.size());
@@ -76,12 +76,12 @@ class XmlText {
     at_ = std::min(text_.find_first_of(" \n", begin), text_.size());
     return number<Number>(std::string_view(text_).substr(begin, at_ - begin));
   }
-  // The numbers of an array follow.
+  // Moves to the numbers of an array.
   void array(std::string_view name) {
     need(fmt::format("Name=\"{}\"", name));
     need(">");
   }
-  // A count of items, each of which takes two characters at least.
+  // A count of items that each need at least two characters.
   int count(std::string_view attribute) {
     const int value = number<int>(quoted(attribute));
     if (value < 1 || static_cast<std::size_t>(value) > text_.size() / 2)
@@ -95,7 +95,7 @@ class XmlText {
   std::size_t at_ = 0;
 };
 
-// By the header of the run's frames, if it has those elements.
+// Names the panels by the header of the run's frames, if it has the same elements.
 void name_panels(mesh::Mesh& mesh, const Json& header) {
   const auto elements = static_cast<std::size_t>(mesh.element_count());
   const auto list = [&](const char* key) {

@@ -35,7 +35,8 @@ Json point(const Eigen::Vector3d& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Sections of a jet along its axis, as far as the skin can be: distance and half width at the cut-off [m].
+// Sections of a jet along its axis, up to the farthest possible skin: distance and half width at the cut-off
+// [m].
 Json jet_json(const jet::JetModel& model, double reach) {
   constexpr int sections = 24;
   const bool round = model.shape == jet::OutletShape::round;
@@ -57,7 +58,7 @@ double largest_distance(const Eigen::Vector3d& from, const Eigen::Matrix3Xd& poi
   return (points.colwise() - from).colwise().norm().maxCoeff();
 }
 
-// What a bag has beside its skin.
+// Adds the parts of a bag other than its skin.
 void add_bag(Json& json, const BagPart& bag) {
   json["panel_names"] = bag.mesh.panel_names;
   json["panels"] = bag.mesh.panel;  // of each element
@@ -102,7 +103,7 @@ class Bytes {
     std::memcpy(bytes_.data() + at_, &number, sizeof number);
     at_ += sizeof number;
   }
-  /// (value - low) / step of each, rounded. A list of their own lets the compiler work on several at once.
+  /// Puts (value - low) / step of each, rounded. A separate loop lets the compiler vectorise it.
   void put_steps(std::span<const double> values, double low, double step) {
     const double scale = step > 0.0 ? 1.0 / step : 0.0;
     std::vector<std::uint16_t> steps(values.size());
@@ -122,7 +123,7 @@ class Bytes {
   std::size_t at_ = 0;
 };
 
-// What a frame shows.
+// Content of a frame.
 struct Surface {
   jet::Points position;               // [m]
   std::vector<double> speed, strain;  // of nodes [m/s], of elements
@@ -142,7 +143,7 @@ Surface of_bag(const Scene& scene, const State& state) {
   return surface;
 }
 
-// Nothing of it moves.
+// The target does not move.
 Surface of_target(const TargetPicture& target, const State& state) {
   return {target.nodes(), std::vector<double>(static_cast<std::size_t>(target.nodes().cols())),
           std::vector<double>(static_cast<std::size_t>(target.triangles().cols())), target.loads(state), 0.0};
@@ -158,7 +159,7 @@ FrameWriter::FrameWriter(ResultFolder& folder, const Scene& scene)
     : file_(folder.add("frames.bin")), stream_(file_, std::ios::binary), scene_(scene) {
   if (!stream_) throw OutputError(fmt::format("{}: not writable", file_.string()));
   if (scene.target) target_ = std::make_unique<TargetPicture>(*scene.target);
-  // Flushed: a run may end before its first frame, and its status then tells the file's size.
+  // Flushed, because a run may end before its first frame.
   stream_ << header(scene, folder.run(), target_.get()).dump(-1, ' ', false, Json::error_handler_t::replace)
           << '\n'
           << std::flush;
@@ -180,7 +181,7 @@ void FrameWriter::write(const State& state) {
   for (const double number : {state.time, surface.gauge, low.x(), low.y(), low.z(), step, impactor.x(),
                               impactor.y(), impactor.z(), speed_step, jet_step, least, strain_step})
     out.put_number(number);
-  // An outlet of sonic speed keeps it when nothing flows any more.
+  // A sonic outlet keeps its speed after the flow has ended.
   for (const JetRun& run : state.jets) out.put_number(run.outlet.density > 0.0 ? run.outlet.velocity : 0.0);
   const Eigen::Matrix3Xd from_corner = position.colwise() - low;
   out.put_steps({from_corner.data(), 3 * nodes}, 0.0, step);

@@ -22,7 +22,7 @@ double number_at(std::string_view frame, std::size_t place) {
   return number;
 }
 
-// Whether every corner of every triangle and strap is a node.
+// True if every corner of every triangle and strap is a node.
 bool within(const Json& lists, std::size_t nodes) {
   for (const Json& list : lists)
     for (const Json& node : list)

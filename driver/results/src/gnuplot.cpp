@@ -19,9 +19,9 @@
 namespace driver {
 namespace {
 
-constexpr std::chrono::seconds longest_wait{30};  // some hundred times what a chart takes
+constexpr std::chrono::seconds longest_wait{30};  // some hundred times the time of a chart
 
-// How the process ended; without one it did not within that time, or until Ctrl-C, and was ended.
+// Exit status of the process. Empty if it did not end within that time or before Ctrl-C; it is then killed.
 std::optional<int> status_within(pid_t child, std::chrono::seconds time) {
   const auto until = std::chrono::steady_clock::now() + time;
   int status = 0;
@@ -37,7 +37,7 @@ std::optional<int> status_within(pid_t child, std::chrono::seconds time) {
   return std::nullopt;
 }
 
-// What keeps `gnuplot NAME.gp` in `folder` from ending well; empty: nothing.
+// Runs `gnuplot NAME.gp` in `folder`. Returns what failed; empty if nothing did.
 std::string run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -77,7 +77,7 @@ std::string gnuplot_block(const std::string& name, const std::string& rows) {
 std::string gnuplot_text(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
-    // Not '', which gnuplot does not take at either end of a string.
+    // Not '', which gnuplot rejects at the ends of a string.
     if (c == '\'')
       quoted += "'.\"'\".'";
     else
@@ -91,7 +91,7 @@ std::string draw_picture(ResultFolder& folder, const std::string& name, const st
   folder.write(name + ".gp", fmt::format("# run: {}\n", folder.run()) + commands);
   folder.add(picture);
   std::string problem = run_gnuplot(folder.path(), name);
-  if (!problem.empty()) folder.remove(picture);  // half of one
+  if (!problem.empty()) folder.remove(picture);  // half a picture
   return problem;
 }
 

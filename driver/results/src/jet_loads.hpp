@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all jets together do to each element of the skin.
+// Load of all jets together on each element of the skin.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace driver {
 
 struct JetLoads {
   std::vector<double> overpressure;  // [Pa]
-  std::vector<std::uint8_t> mask;  // 0 outside or facing away, 1 in a jet but hidden, 2 lit, if only in part
+  std::vector<std::uint8_t> mask;  // 0 outside or facing away, 1 in a jet but hidden, 2 lit, at least in part
 
   void add(std::size_t e, double pressure, std::uint8_t value) {
     overpressure[e] += pressure;

@@ -19,7 +19,7 @@
 namespace driver {
 namespace {
 
-// What the line of progress tells of a run.
+// Text of a run in the line of progress.
 std::string reached(const State& now) {
   const double pressure = now.bag && !now.gas_integrator ? now.bag->gauge_pressure : now.gas_point.pressure;
   std::string text = fmt::format("{:.4g} ms", 1e3 * now.time);
@@ -28,7 +28,7 @@ std::string reached(const State& now) {
   return text;
 }
 
-// Rows that do not fit on the disk: the run is told as failed, and the other files are written.
+// If rows do not fit on the disk, the run counts as failed, and the other files are still written.
 void flush(CsvWriter& table, RunOutcome& outcome) {
   try {
     table.flush();
@@ -38,7 +38,7 @@ void flush(CsvWriter& table, RunOutcome& outcome) {
   }
 }
 
-// On a full disk the summary of the running run gives way: it would say "running" for ever.
+// On a full disk the old summary is removed, because it would say "running" for ever.
 void write_summary(ResultFolder& folder, const std::string& text) {
   try {
     folder.write("summary.json", text);

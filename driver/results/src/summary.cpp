@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What every summary says, of a run that goes on or has ended.
+// The members of every summary, of a run that goes on or has ended.
 Json summary_head(const Scene& scene, const char* status, const Provenance& lines) {
   Json json{{"scene", scene.name}, {"status", status}};
   const auto run = std::ranges::find(lines, "run", &Provenance::value_type::first);
@@ -23,7 +23,7 @@ Json summary_head(const Scene& scene, const char* status, const Provenance& line
   return json;
 }
 
-// Paths and overrides may hold bytes that are no UTF-8.
+// Paths and overrides may have bytes that are not UTF-8.
 std::string text_of(Json json, const Provenance& lines) {
   for (const auto& [key, value] : lines)
     if (key != "run") json["build"][key] = value;
@@ -81,7 +81,7 @@ Json peaks(const Scene& scene, const State& state) {
   return json;
 }
 
-/// Null for what never happened.
+/// Null for an event that never happened.
 Json time_or_null(double time) {
   return std::isfinite(time) ? Json(time) : Json(nullptr);
 }
@@ -127,7 +127,7 @@ Json streams(const Scene& scene, const State& state) {
   return json;
 }
 
-/// Checks of the skin, and the largest of each number.
+/// Checks of the skin, and the maximum of each number.
 Json self_intersection(const Scene& scene, const std::vector<SkinCheck>& checks) {
   Json list = Json::array(), largest{{"pairs", 0}, {"elements", 0}};
   const auto add = [&](Json& json, const char* key, auto value) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rigid target as frames.bin shows it.
+// A rigid target as in frames.bin.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace driver {
 
-/// A grid of at most 30 by 30 cells, as a target may have millions. Its lines are lines of the target's own
-/// grid, so each cell holds whole cells of the target, and its mean overpressure has their force.
+/// A grid of at most 30 by 30 cells, because a target may have millions. Its lines are lines of the target's
+/// own grid, so each cell contains whole cells of the target, and its mean overpressure gives the same force.
 class TargetPicture {
  public:
   explicit TargetPicture(const TargetPart& target);

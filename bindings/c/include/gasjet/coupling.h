@@ -31,7 +31,7 @@ typedef struct gasjet_pendulum_point {
   double potential_energy;     /* [J] (K.7) */
   double kinetic_energy;       /* [J] (K.7) */
   double axis_inertia;         /* [kg m2] (K.2) */
-  double effective_mass;       /* [kg] (K.3) that a force along the impactor's path sees */
+  double effective_mass;       /* [kg] (K.3) for a force along the impactor's path */
 } gasjet_pendulum_point;
 
 GASJET_API int gasjet_pendulum_evaluate(const gasjet_pendulum_model* model, double angle,
@@ -41,14 +41,15 @@ GASJET_API int gasjet_pendulum_evaluate(const gasjet_pendulum_model* model, doub
 GASJET_API int gasjet_pendulum_moment(const gasjet_pendulum_model* model, const double force[3],
                                       const double point[3], double* moment);
 
-/* Central difference (K.4): `angle` [rad] of time n, `angular_velocity` [rad/s] of n - 1/2 (at the start of
- * time 0) go on to n + 1 and n + 1/2. moment [N m]: all moments at n, gravity_moment among them. dt_before
- * [s] >= 0 led to n (0 at the start), dt_after [s] > 0 leaves it. */
+/* Central difference (K.4): advances `angle` [rad] from time n to n + 1, and `angular_velocity` [rad/s]
+ * from n - 1/2 (at the start: from time 0) to n + 1/2. moment [N m]: sum of all moments at n, including
+ * gravity_moment. dt_before [s] >= 0 is the step before n (0 at the start), dt_after [s] > 0 the step
+ * after it. */
 GASJET_API int gasjet_pendulum_advance(const gasjet_pendulum_model* model, double moment, double dt_before,
                                        double dt_after, double* angle, double* angular_velocity);
 
-/* Contact of a rigid sphere with a skin by an energy over the skin (K.10). `mass` [kg] of each node,
- * effective_mass [kg] > 0 of the sphere, radius [m] > 0, stiffness [N/m3] > 0, friction [-] >= 0. */
+/* Contact of a rigid sphere with a skin, from an energy over the skin (K.10). mass [kg]: one per node;
+ * effective_mass [kg] > 0: of the sphere; radius [m] > 0, stiffness [N/m3] > 0, friction [-] >= 0. */
 GASJET_API int gasjet_contact_create(const double reference[], int64_t node_count,
                                      const int64_t GASJET_OR_NULL reference_stride[],
                                      const int32_t triangles[], int64_t triangle_count,
@@ -62,16 +63,16 @@ typedef struct gasjet_contact_sums {
   double couple[3];        /* [N m] about the sphere's centre, of the friction */
   double energy;           /* [J] */
   double friction_loss;    /* [J] since the last call */
-  double area;             /* [m2] that touches */
-  double penetration;      /* [m] the deepest, 0 when nothing touches */
+  double area;             /* [m2] in contact */
+  double penetration;      /* [m] the largest; 0 if nothing touches */
   double frequency;        /* [1/s2] bound of the contact's omega^2 (K.12) */
-  int64_t deepest_element; /* -1 when nothing touches */
+  int64_t deepest_element; /* -1 if nothing touches */
 } gasjet_contact_sums;
 
-/* Adds the contact's forces [N] to `force`, rows of three a node, 3 node_count numbers. Calls belong to the
- * successive times of a run: the sphere's centre must not cross the skin between two. turn [rad]: of the
- * sphere since the last call; only friction feels it. GASJET_DOMAIN if the sphere goes deeper than half its
- * radius or crosses the skin; `force` is then not to be used. */
+/* Adds the contact's forces [N] to `force`, three numbers per node. Calls are successive times of a run:
+ * between two of them the sphere's centre must not cross the skin. turn [rad]: rotation of the sphere
+ * since the last call; used by friction only. GASJET_DOMAIN if the sphere sinks in by more than half its
+ * radius or crosses the skin; `force` must not be used then. */
 GASJET_API int gasjet_contact_evaluate(gasjet_handle contact, const double nodes[], int64_t node_count,
                                        const int64_t GASJET_OR_NULL node_stride[], const double centre[3],
                                        const double GASJET_OR_NULL turn[3], double force[],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/* Thermodynamics, outflow laws, and a tank: libgas. Equation tags (G.n) are those of docs/theory/gas.md. */
+/* Thermodynamics, outflow laws, and a tank: libgas. For the tags (G.n) see docs/theory/gas.md. */
 #ifndef GASJET_GAS_H
 #define GASJET_GAS_H
 
@@ -20,9 +20,9 @@ typedef struct gasjet_gas_values {
   double speed_of_sound;  /* [m/s] */
 } gasjet_gas_values;
 
-/* A mixture by mole: "N2=0.78, O2=0.22", fractions above 0 with sum 1 to 1e-9. Species: N2 O2 Ar He H2 CO CO2
- * H2O NO N2O NH3 CH4. constant_cp_at [K] 200 to 6000: cp is constant, its value at that temperature; 0:
- * cp(T), NASA-7. */
+/* A mixture by mole: "N2=0.78, O2=0.22", fractions above 0 with sum 1 to 1e-9. Species: N2 O2 Ar He H2 CO
+ * CO2 H2O NO N2O NH3 CH4. constant_cp_at [K]: 200 to 6000 makes cp constant, with its value at that
+ * temperature; 0: cp(T) by NASA-7. */
 GASJET_API int gasjet_gas_create(const char* composition, double constant_cp_at, gasjet_handle* gas);
 
 /* A gas of constant cp [J/(kg K)] > gas_constant [J/(kg K)] > 0; h = cp T, without an offset. */
@@ -40,17 +40,17 @@ GASJET_API int gasjet_gas_entropy(gasjet_handle gas, double temperature, double 
 /* Pressure ratio at which a hole chokes (G.5), gamma > 1. */
 GASJET_API int gasjet_critical_pressure_ratio(double gamma, double* ratio);
 
-/* Mass flow [kg/s] of a hole (G.6): effective_area = Cd A [m2] >= 0, pressure [Pa] >= 0, temperature [K] > 0,
- * gas_constant and cp [J/(kg K)] with cp > gas_constant > 0, ambient_pressure [Pa] >= 0. 0 unless pressure is
- * above. */
+/* Mass flow [kg/s] of a hole (G.6): effective_area = Cd A [m2] >= 0, pressure [Pa] >= 0, temperature [K] >
+ * 0, gas_constant and cp [J/(kg K)] with cp > gas_constant > 0, ambient_pressure [Pa] >= 0. 0 unless the
+ * pressure is above ambient_pressure. */
 GASJET_API int gasjet_orifice(double effective_area, double pressure, double temperature, double gas_constant,
                               double cp, double ambient_pressure, double* mass_flow);
 
 /* Mass flow [kg/s] of porous fabric (G.7): leak_area = sum eta^2 A [m2] >= 0, density [kg/m3] >= 0,
- * overpressure [Pa]; 0 unless that is above 0. */
+ * overpressure [Pa]; 0 unless the overpressure is above 0. */
 GASJET_API int gasjet_fabric(double leak_area, double density, double overpressure, double* mass_flow);
 
-/* State of a tank. Without gas all is 0 but time and volume, temperature is the last. */
+/* State of a tank. Without gas everything is 0 except time, volume and the last temperature. */
 typedef struct gasjet_tank_state {
   double time;            /* [s] */
   double pressure;        /* [Pa] */
@@ -67,7 +67,7 @@ typedef struct gasjet_tank_state {
   double fabric_outflow;  /* [kg/s] */
 } gasjet_tank_state;
 
-/* What has crossed a tank's border since the start, and what does not balance. */
+/* Amounts that crossed a tank's border since the start, and residuals of the balances. */
 typedef struct gasjet_tank_balance {
   double mass_in;         /* [kg] */
   double enthalpy_in;     /* [J] */
@@ -77,30 +77,31 @@ typedef struct gasjet_tank_balance {
   double work;            /* [J] int p dV */
   double mass_residual;   /* [kg] mass now - at the start - in + out */
   double energy_residual; /* [J] internal energy now - at the start - in + out + work */
-  int64_t substeps;       /* of the integrator */
+  int64_t substeps;       /* sub-steps of the integrator */
 } gasjet_tank_balance;
 
-/* A volume of gas at uniform pressure [Pa] >= 0 (0: evacuated), temperature [K] and volume [m3] > 0 at time
- * 0; outside is ambient_pressure [Pa] >= 0. Local error of a step: tolerance, 1e-13 to 1e-2. */
+/* A volume of gas at uniform pressure [Pa] >= 0 (0: evacuated), temperature [K] and volume [m3] > 0 at
+ * time 0, with ambient_pressure [Pa] >= 0 outside. tolerance [-], 1e-13 to 1e-2, bounds the local error of
+ * a step. */
 GASJET_API int gasjet_tank_create(gasjet_handle gas, double pressure, double temperature, double volume,
                                   double ambient_pressure, double tolerance, gasjet_handle* tank);
 
-/* Parts of a tank; to be added before its first gasjet_tank_advance.
- * Inflow: count >= 2 knots with mass_flow [kg/s] >= 0 and temperature [K] against time [s] since start_time
- * [s], which rises; between knots linear, outside them no flow. The gas handle may be freed afterwards. */
+/* Parts of a tank. Add them before its first gasjet_tank_advance.
+ * Inflow: count >= 2 knots with mass_flow [kg/s] >= 0 and temperature [K] at rising times [s] since
+ * start_time [s]; linear between knots, no flow outside them. The gas handle may be freed afterwards. */
 GASJET_API int gasjet_tank_add_inflow(gasjet_handle tank, gasjet_handle gas, int64_t count,
                                       const double time[], const double mass_flow[],
                                       const double temperature[], double start_time);
 
-/* Vent of area [m2] >= 0 and discharge_coefficient 0 to 1. It opens for good when the overpressure reaches
+/* Vent of area [m2] >= 0 and discharge_coefficient 0 to 1. It opens for ever when the overpressure reaches
  * opens_at [Pa]; 0: always open. */
 GASJET_API int gasjet_tank_add_vent(gasjet_handle tank, double discharge_coefficient, double area,
                                     double opens_at);
 
-/* Porous fabric (G.7) of leak_area = sum eta^2 A [m2] >= 0; areas of several add. */
+/* Porous fabric (G.7) of leak_area = sum eta^2 A [m2] >= 0. Areas of several calls add up. */
 GASJET_API int gasjet_tank_add_fabric(gasjet_handle tank, double leak_area);
 
-/* Goes on to `time` [s], later than now. The volume changes linearly to `volume` [m3] > 0 on the way. */
+/* Advances to `time` [s], later than now. The volume changes linearly to `volume` [m3] > 0. */
 GASJET_API int gasjet_tank_advance(gasjet_handle tank, double time, double volume);
 
 GASJET_API int gasjet_tank_read(gasjet_handle tank, gasjet_tank_state* state);

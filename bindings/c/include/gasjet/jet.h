@@ -13,7 +13,7 @@ enum gasjet_outlet_law {
   GASJET_SONIC_STATIC = 0,     /* sonic, temperature of the moving gas (the paper's form) */
   GASJET_SONIC_STAGNATION = 1, /* sonic, temperature of the chamber */
   GASJET_PRESSURE_MATCHED =
-      2 /* of the chamber; subsonic at bag pressure where the sonic outlet's would be below it */
+      2 /* of the chamber; subsonic at bag pressure if a sonic outlet's pressure would be below it */
 };
 
 /* Uniform gas in an outlet. */
@@ -24,13 +24,13 @@ typedef struct gasjet_outlet_state {
   double temperature; /* [K] static */
 } gasjet_outlet_state;
 
-/* (J.1), (J.2): area [m2] > 0, mass_flow [kg/s] >= 0, temperature [K] > 0, cp > gas_constant > 0 [J/(kg K)],
- * bag_pressure [Pa] > 0 (read by GASJET_PRESSURE_MATCHED alone). */
+/* (J.1), (J.2): area [m2] > 0, mass_flow [kg/s] >= 0, temperature [K] > 0, cp > gas_constant > 0 [J/(kg
+ * K)], bag_pressure [Pa] > 0 (used by GASJET_PRESSURE_MATCHED only). */
 GASJET_API int gasjet_outlet(int law, double area, double mass_flow, double temperature, double cp,
                              double gas_constant, double bag_pressure, gasjet_outlet_state* state);
 
-/* Outlet and field. gasjet_jet_defaults sets what has a default; the rest is NaN and must be given where the
- * shape or the spread reads it. */
+/* Outlet and field. gasjet_jet_defaults sets the defaults. All other members are NaN and must be given if
+ * the shape or the spread uses them. */
 typedef struct gasjet_jet_model {
   double centre[3];          /* [m] of the outlet */
   double axis[3];            /* [-] into the bag, any length but 0 */
@@ -39,67 +39,66 @@ typedef struct gasjet_jet_model {
   double long_side;          /* [m] rectangular; NaN: round */
   double long_direction[3];  /* [-] rectangular: along the long side, normal to the axis */
   double decay_coefficient;  /* [-] a of (J.3), (J.4) */
-  double cone_initial_width; /* [m] given: the width grows along a cone; NaN: by conservation of momentum */
+  double cone_initial_width; /* [m] of the cone of the width; NaN: conservation of momentum */
   double cone_half_angle;    /* [rad] of that cone, 0 to pi/2; NaN without one */
   double restitution;        /* [-] 0 to 1, default 1: complete reflection */
-  double cut_off;            /* [-] no load where (V/V_max)^2 is below, default 1e-3 */
+  double cut_off;            /* [-] no load if (V/V_max)^2 is below this; default 1e-3 */
   int64_t radial; /* not 0: velocity points away from the virtual origin; default 0: along the axis */
 } gasjet_jet_model;
 
 GASJET_API int gasjet_jet_defaults(gasjet_jet_model* model);
 
-/* A jet at a surface of triangles. null_elements close a hole: no load, and they never hide;
- * attachment_elements around the outlet never hide. Element numbers from 0; NULL with count 0. node_count:
- * with nodes of other parts, up to 20 million more than corners of triangles. Calls read the nodes that
- * triangles name: others may hold anything, and cost nothing. The jet loads inner sides, so a
- * triangle that is wound wrongly takes none: gasjet_surface_check finds it. */
+/* A jet at a surface of triangles. null_elements close a hole: they take no load and never hide others;
+ * attachment_elements around the outlet never hide others. Elements are numbered from 0; pass NULL with
+ * count 0. node_count may include nodes of other parts, up to 20 million more than corners of triangles.
+ * Calls read only nodes of triangles; other nodes may have any content, and cost nothing. The jet loads
+ * inner sides, so a wrongly wound triangle takes no load; gasjet_surface_check finds it. */
 GASJET_API int gasjet_jet_create(const gasjet_jet_model* model, const int32_t triangles[],
                                  int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
                                  int64_t node_count, const int32_t GASJET_OR_NULL null_elements[],
                                  int64_t null_count, const int32_t GASJET_OR_NULL attachment_elements[],
                                  int64_t attachment_count, gasjet_handle* jet);
 
-/* What a query did: candidates = lit + hidden + facing_away. */
+/* Counters of a query: candidates = lit + hidden + facing_away. */
 typedef struct gasjet_visibility {
-  int64_t candidates;  /* elements asked about */
+  int64_t candidates;  /* elements queried */
   int64_t lit;         /* facing the source, nothing between */
   int64_t hidden;      /* facing the source, but blocked */
   int64_t facing_away; /* the source is on their outer side */
 } gasjet_visibility;
 
-/* Overpressure [Pa] of each element, dp = (1 + e) rho0 (V.n)^2 (J.6), 0 where hidden if `occlusion` is not 0;
- * for the caller to put on the corners, dp S_e / 3 each. force [N]: sum of dp S_e. displacement_bound [m]:
- * since the first call no node has moved farther (a sum that only grows); NaN: unknown. The result does not
- * depend on it. */
+/* Overpressure [Pa] of each element, dp = (1 + e) rho0 (V.n)^2 (J.6), 0 if hidden and `occlusion` is not
+ * 0. The caller loads each corner by dp S_e / 3. force [N]: sum of dp S_e. displacement_bound [m]: a sum
+ * that only grows; no node has moved farther since the first call; NaN: unknown. It affects the speed
+ * only. */
 GASJET_API int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int64_t node_count,
                                    const int64_t GASJET_OR_NULL node_stride[], double velocity,
                                    double density, int occlusion, double displacement_bound,
                                    double overpressure[], int64_t overpressure_count, double force[3],
                                    gasjet_visibility* GASJET_OR_NULL counters);
 
-/* Velocity over that of the outlet, V/V0 [-], at points: rows of three in velocity, 3 point_count numbers. */
+/* Velocity relative to the outlet, V/V0 [-], at points: three numbers per point. */
 GASJET_API int gasjet_jet_velocity(const gasjet_jet_model* model, const double points[], int64_t point_count,
                                    const int64_t GASJET_OR_NULL point_stride[], double velocity[],
                                    int64_t velocity_count);
 
-/* Where rays start. */
+/* Source of rays. */
 typedef struct gasjet_source {
   double centre[3];         /* [m] */
-  double axis[3];           /* [-] not 0: a source on the surface is moved so by a vanishing length */
-  double long_direction[3]; /* [-] unit; read if half_long > 0 */
+  double axis[3];           /* [-] not 0; a source on the surface is moved along it by a vanishing length */
+  double long_direction[3]; /* [-] unit vector; used if half_long > 0 */
   double half_long;         /* [m] half the long side of a rectangular outlet; 0: a point */
 } gasjet_source;
 
-/* A surface that is asked again and again which of its elements a source sees; arguments as
- * gasjet_jet_create. */
+/* A surface for repeated queries of the elements that a source sees; arguments as gasjet_jet_create. */
 GASJET_API int gasjet_surface_create(const int32_t triangles[], int64_t triangle_count,
                                      const int64_t GASJET_OR_NULL triangle_stride[], int64_t node_count,
                                      const int32_t GASJET_OR_NULL null_elements[], int64_t null_count,
                                      const int32_t GASJET_OR_NULL attachment_elements[],
                                      int64_t attachment_count, gasjet_handle* surface);
 
-/* lit[k] = 1 if candidates[k] (NULL: every element) is seen, exactly (J.7), else 0. displacement_bound as
- * above. */
+/* Sets lit[k] to 1 if candidates[k] (NULL: every element) is seen, exactly (J.7), else 0.
+ * displacement_bound as above. */
 GASJET_API int gasjet_surface_visible(gasjet_handle surface, const double nodes[], int64_t node_count,
                                       const int64_t GASJET_OR_NULL node_stride[], const gasjet_source* source,
                                       const int32_t GASJET_OR_NULL candidates[], int64_t candidate_count,

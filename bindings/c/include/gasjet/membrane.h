@@ -9,22 +9,22 @@
 extern "C" {
 #endif
 
-/* What keeps a surface from enclosing a volume. */
+/* Faults that keep a surface from enclosing a volume. */
 typedef struct gasjet_surface_faults {
-  int64_t ok;                     /* not 0: closed, connected and wound outward; all others are 0 */
-  int64_t boundary_edges;         /* of one triangle alone: a hole */
-  int64_t non_manifold_edges;     /* of more than two triangles */
-  int64_t inconsistent_edges;     /* which two triangles run along in one direction: one is wound wrongly */
+  int64_t ok;                     /* not 0 if closed, connected and wound outward; then all others are 0 */
+  int64_t boundary_edges;         /* edges of only one triangle: a hole */
+  int64_t non_manifold_edges;     /* edges of more than two triangles */
+  int64_t inconsistent_edges;     /* edges that two triangles pass in one direction: one is wound wrongly */
   int64_t repeated_node_elements; /* triangles with a node twice */
-  int64_t pinched_nodes;          /* whose triangles touch there alone */
-  int64_t unused_nodes;           /* of no triangle */
-  int64_t more_components;        /* parts without a common edge, less one */
+  int64_t pinched_nodes;          /* nodes whose triangles touch only there */
+  int64_t unused_nodes;           /* nodes of no triangle */
+  int64_t more_components;        /* parts without a common edge, minus one */
   int64_t inward;                 /* 1: closed, but wound inward */
   int64_t flat;                   /* 1: closed, but without a volume */
 } gasjet_surface_faults;
 
-/* Checks a surface of triangles. text: the findings, a line each; numbers count from 0. Its size as that of
- * gasjet_run_summary; `faults` is set in any case. */
+/* Checks a surface of triangles. text: one line for each finding; numbers count from 0; sizes as in
+ * gasjet_run_summary. `faults` is set in any case. */
 GASJET_API int gasjet_surface_check(const double nodes[], int64_t node_count,
                                     const int64_t GASJET_OR_NULL node_stride[], const int32_t triangles[],
                                     int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
@@ -41,24 +41,24 @@ typedef struct gasjet_fabric_model {
   double thickness;     /* [m] > 0 */
   double density;       /* [kg/m3] > 0 */
   double young_modulus; /* [Pa] > 0 */
-  double poisson;       /* [-] -1 to 1, ends left out */
+  double poisson;       /* [-] between -1 and 1 */
   int64_t wrinkles;     /* 0: carries compression; else: goes slack (tension field, M.3) */
   int64_t law;          /* a gasjet_fabric_law; 0: stress linear in Green-Lagrange strain */
 } gasjet_fabric_model;
 
 /* The membrane at given positions. */
 typedef struct gasjet_membrane_sums {
-  double volume;            /* [m3] enclosed (M.5), if gasjet_surface_check finds nothing */
+  double volume;            /* [m3] enclosed (M.5), if gasjet_surface_check finds no fault */
   double area;              /* [m2] */
   double mass;              /* [kg] of the fabric */
   double strain_energy;     /* [J] */
   double element_frequency; /* [1/s2] bound of the fabric's omega^2 (M.10) */
-  double gas_frequency;     /* [1/s2] that of the gas (M.11) */
+  double gas_frequency;     /* [1/s2] bound of the gas's omega^2 (M.11) */
   double critical_step;     /* [s] largest stable step of the central difference (M.12) */
 } gasjet_membrane_sums;
 
 /* A membrane with its stress-free shape. null_elements close holes: they have no mass and no stress.
- * fixed_nodes do not move: they count in no frequency. */
+ * fixed_nodes do not move and do not affect frequencies. */
 GASJET_API int gasjet_membrane_create(
     const double reference[], int64_t node_count, const int64_t GASJET_OR_NULL reference_stride[],
     const int32_t triangles[], int64_t triangle_count, const int64_t GASJET_OR_NULL triangle_stride[],
@@ -68,10 +68,10 @@ GASJET_API int gasjet_membrane_create(
 /* Mass of each node [kg]. */
 GASJET_API int gasjet_membrane_masses(gasjet_handle membrane, double mass[], int64_t mass_count);
 
-/* At positions `nodes` [m]: the fabric's forces [N] and the volume's gradient dV/dx [m2], rows of three a
- * node (3 node_count numbers, either may be NULL); the gas pushes with (p - p_a) dV/dx. Volume and gradient
- * mean something for a surface alone in which gasjet_surface_check finds nothing. gamma [-] >= 0 and
- * the absolute pressure [Pa] >= 0 of the gas go into the critical step; 0: the pressure is prescribed. */
+/* At positions `nodes` [m]: the fabric's forces [N] and the volume's gradient dV/dx [m2], three numbers
+ * per node (either may be NULL); the gas exerts the force (p - p_a) dV/dx. Volume and gradient are
+ * meaningful only if gasjet_surface_check finds no fault. gamma [-] >= 0 and the absolute pressure [Pa] >=
+ * 0 of the gas affect the critical step; gamma = 0: the pressure is prescribed. */
 GASJET_API int gasjet_membrane_evaluate(gasjet_handle membrane, const double nodes[], int64_t node_count,
                                         const int64_t GASJET_OR_NULL node_stride[], double gamma,
                                         double pressure, double GASJET_OR_NULL force[],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What this build was made of. CMake writes the source, build_info.cpp, at every build.
+// Version, commit, compiler and flags of this build. CMake writes the source, build_info.cpp, at every build.
 #pragma once
 
 namespace driver::build_info {

@@ -11,7 +11,7 @@
 
 namespace driver {
 
-/// The columns asked for, in that order. Every number is finite.
+/// The requested columns, in the order of the request. Every number is finite.
 struct CsvTable {
   std::filesystem::path file;
   std::vector<std::string> names;
@@ -24,8 +24,8 @@ struct CsvTable {
   [[noreturn]] void fail(std::size_t column, std::size_t row, const std::string& message) const;
 };
 
-/// A comment line from its `#` on, none of another line. A spreadsheet that saves a file again sets comments
-/// with commas in quotes, and adds commas up to the widest row.
+/// A comment line from its `#` on; empty for another line. (A spreadsheet that saves a file puts comments
+/// with commas in quotes, and adds commas up to the widest row.)
 std::optional<std::string> comment_of(const std::string& line);
 
 struct CsvHeader {
@@ -33,18 +33,18 @@ struct CsvHeader {
   std::vector<std::string> names;
 };
 
-/// Names in the header row. Throws CaseError when the file cannot be read or has none.
+/// Names in the header row. Throws CaseError if the file cannot be read or has no header.
 CsvHeader read_csv_header(const std::filesystem::path& file);
 
-/// Says that a header has no column of this name, and what may be wrong with it.
+/// Message that a header has no column of this name, with a likely reason.
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header);
 
-/// Reads a CSV file with a header row; `#` lines and empty lines are skipped, quotes, blanks and control
-/// characters around a cell taken off.
+/// Reads a CSV file with a header row; `#` lines and empty lines are skipped; quotes, blanks and control
+/// characters around a cell are removed.
 /// Throws CaseError at the place of the fault if
 /// - the file cannot be read or has more than 20 million rows,
 /// - a column or a cell is missing, or a row has too many cells,
-/// - a cell is no finite number.
+/// - a cell is not a finite number.
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names);
 
 }  // namespace driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Threads that a run, or a set of runs side by side, may use.
+// Threads of a run, or of a set of runs side by side.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ class Executor {
   explicit Executor(int threads);
   ~Executor();
 
-  /// Executor that uses the calling thread alone.
+  /// Executor that uses the calling thread only.
   static const Executor& serial();
   int threads() const { return threads_; }
 
@@ -36,10 +36,11 @@ class Executor {
 
  private:
   struct Arena;
-  void run(int count, void (*call)(void*, int), void* function) const;  // does not allocate for the function
+  void run(int count, void (*call)(void*, int), void* function) const;  // takes the function without
+                                                                        // allocating
 
   int threads_;
-  std::unique_ptr<Arena> arena_;  // none for one thread
+  std::unique_ptr<Arena> arena_;  // null for one thread
 };
 
 }  // namespace driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How each JSON begins that other programs read.
+// The first members of every JSON output for other programs.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -36,7 +36,7 @@ class Progress {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// Memory ran out, and what() says what it was for.
+/// Memory ran out; what() says what needed it.
 class OutOfMemory : public std::bad_alloc {
  public:
   explicit OutOfMemory(std::string text) : text_(std::move(text)) {}
@@ -46,11 +46,11 @@ class OutOfMemory : public std::bad_alloc {
   std::string text_;
 };
 
-/// what() of an error; of one of memory that says no more, how much was in use.
+/// what() of an error. For a plain std::bad_alloc, the memory in use.
 std::string text_of(const std::exception& error);
 
-/// A line on standard error, without control characters and with long words cut; one that cannot be written
-/// stops nothing.
+/// Prints a line on standard error, without control characters and with long words cut. Ignores failures to
+/// write.
 void tell(const std::string& line);
 
 /// After this call the first Ctrl-C (or SIGTERM, or SIGHUP unless it is ignored) sets a flag that the time
@@ -58,7 +58,7 @@ void tell(const std::string& line);
 void catch_interrupt();
 /// True after the first Ctrl-C.
 bool interrupted();
-/// Sets the flag for a Ctrl-C that another process has got.
+/// Sets the flag for a Ctrl-C that another process received.
 void interrupt();
 
 }  // namespace driver

@@ -10,7 +10,7 @@
 
 namespace driver {
 
-/// No text can be had of a file: a fault of what names it, not of a line in it.
+/// A file has no readable text. The fault is in the path, not in a line of the file.
 class FileError : public CaseError {
  public:
   using CaseError::CaseError;
@@ -21,10 +21,10 @@ class LineReader {
  public:
   /// Throws FileError for a folder and a file that cannot be read.
   explicit LineReader(const std::filesystem::path& file);
-  /// The next line; false at the end. Throws FileError for a line of more than 1 MiB, since a device may
-  /// never end, and for a carriage return within a line.
+  /// Reads the next line; false at the end. Throws FileError for a carriage return within a line, and for a
+  /// line of more than 1 MiB (a device may be endless).
   bool next(std::string& line);
-  std::size_t number() const { return number_; }  // of the last line, from 1
+  std::size_t number() const { return number_; }  // number of the last line, from 1
 
  private:
   std::filesystem::path file_;
@@ -33,8 +33,8 @@ class LineReader {
   std::size_t at_ = 0, number_ = 0;
 };
 
-/// The whole text of an input file, without a byte order mark. Throws FileError for a folder, a file that
-/// cannot be read or one of more than 64 MiB.
+/// The whole text of an input file, without a byte order mark. Throws FileError for a folder, an unreadable
+/// file, or one of more than 64 MiB.
 std::string read_text(const std::filesystem::path& file);
 
 }  // namespace driver

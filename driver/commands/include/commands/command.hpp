@@ -18,14 +18,14 @@ inline constexpr int exit_done = 0;
 inline constexpr int exit_outside = 1;        // compare: outside the band
 inline constexpr int exit_input = 2;          // the command line or an input is wrong; nothing written
 inline constexpr int exit_domain = 3;         // the computation left its domain; what was computed is kept
-inline constexpr int exit_undecided = 4;      // compare, ladder: neither inside nor outside can be said
+inline constexpr int exit_undecided = 4;      // compare, ladder: neither inside nor outside is certain
 inline constexpr int exit_interrupted = 130;  // Ctrl-C, as shells report it; what was computed is kept
 
 int exit_code(Verdict verdict);
 
-/// Tells what is likely to be a mistake in a case, its jets too, before it runs.
+/// Prints likely mistakes of a case, including its jets, before it runs.
 void tell_warnings(Scene& scene);
-/// Tells that many runs were interrupted and that the same command goes on from what is in `kept`. Returns
+/// Prints that many runs were interrupted and that the same command continues from the folder `kept`. Returns
 /// exit_interrupted.
 int tell_interrupted(const std::filesystem::path& kept);
 
@@ -49,8 +49,8 @@ struct EnsembleArguments {
   std::filesystem::path against;  // a second case to compare with, or empty
   std::filesystem::path out;
   int runs = 16;
-  double amplitude = default_amplitude;  // [m] of the initial nodes' random displacement
-  int first_seed = 1;                    // of the runs' displacements
+  double amplitude = default_amplitude;  // [m] random displacement of the initial nodes
+  int first_seed = 1;                    // seed of the first run's displacements
   std::string share;                     // NUMBER/COUNT; empty: all
   int threads = 1;
   bool quiet = false;
@@ -61,11 +61,11 @@ struct LadderArguments {
   CaseArguments scene;
   std::string quantity;
   std::string tolerance = "2%";
-  std::vector<std::string> hold;  // axes that stay as the case has them, lists with commas
+  std::vector<std::string> hold;  // axes that keep the case's value, lists with commas
   std::filesystem::path out;
-  int runs = 16;              // of each rung of a chaotic scene
-  int most_runs = 0;          // of a rung whose verdict is open
-  double error_rate = 0.025;  // of a verdict
+  int runs = 16;              // runs of each rung of a chaotic scene
+  int most_runs = 0;          // most runs of a rung whose verdict is open
+  double error_rate = 0.025;  // error rate of a verdict
   int finer = 1;              // levels of the mesh beyond the case's own
   int threads = 1;
   bool quiet = false;
@@ -74,7 +74,7 @@ int ladder(const LadderArguments& arguments, const MakeCrew& crew);
 
 struct CostArguments {
   CaseArguments scene;
-  std::filesystem::path out;  // empty: nothing is written
+  std::filesystem::path out;  // if empty, nothing is written
   std::string format = "text";
   int runs = 9;
   int threads = 1;
@@ -83,17 +83,17 @@ struct CostArguments {
 int cost(const CostArguments& arguments);
 
 struct MeshArguments {
-  std::filesystem::path file;                    // to convert, or a case, or the results of a run
-  double time = 0.0;                             // of those results [s]
-  double length_unit = 1.0;                      // of that file [m]
-  std::optional<double> merge;                   // join nodes at most so far apart [m]
-  bool outward = false;                          // turn elements
-  bool report = false;                           // an open or inside-out surface is no error
-  std::vector<std::string> panels, null_panels;  // of that file
+  std::filesystem::path file;                    // file to convert, or a case, or the results of a run
+  double time = 0.0;                             // time in those results [s]
+  double length_unit = 1.0;                      // length unit of that file [m]
+  std::optional<double> merge;                   // join nodes within this distance [m]
+  bool outward = false;                          // turn elements outward
+  bool report = false;                           // an open or inside-out surface is not an error
+  std::vector<std::string> panels, null_panels;  // panels of that file
   std::filesystem::path out;                     // design shape, format by the ending; or empty
   std::filesystem::path initial;                 // initial shape, or empty
   std::vector<std::string> overrides;            // generator option, or key of the case = value
-  int refine = 0;                                // times
+  int refine = 0;                                // number of refinements
 };
 int mesh_driver(const MeshArguments& arguments);
 int mesh_passenger(const MeshArguments& arguments);
@@ -112,9 +112,10 @@ int exact(const ExactArguments& arguments);
 
 struct CompareArguments {
   std::filesystem::path mine, reference;
-  std::filesystem::path map;           // of mine's columns, or empty
-  std::vector<std::string> columns;    // to compare, lists with commas; empty: all of the reference
-  std::vector<std::string> tolerance;  // of mine: SHARE of the reference's largest magnitude, or COLUMN=SHARE
+  std::filesystem::path map;           // map of the columns of mine, or empty
+  std::vector<std::string> columns;    // columns to compare, lists with commas; empty: all of the reference
+  std::vector<std::string> tolerance;  // tolerance of mine: SHARE of the reference's largest magnitude, or
+                                       // COLUMN=SHARE
   std::filesystem::path rows;          // CSV of what was compared, or empty
   std::string format = "text";         // or "json"
 };
@@ -131,7 +132,7 @@ struct StudyArguments {
   std::filesystem::path plan;
   std::filesystem::path out;     // empty: results/<name of the plan>
   std::string share;             // NUMBER/COUNT; empty: all
-  std::filesystem::path folder;  // to merge
+  std::filesystem::path folder;  // folder of shares to merge
   bool only_check = false;
   int threads = 1;
   bool quiet = false;
@@ -142,8 +143,8 @@ int study_merge(const std::filesystem::path& folder);
 struct ExportArguments {
   CaseArguments scene;
   std::string format;     // radioss or lsdyna
-  std::string units;      // of the deck
-  bool any_size = false;  // true: a bag of any size is meant
+  std::string units;      // units of the deck
+  bool any_size = false;  // true: accept a bag of any size
   std::filesystem::path out;
 };
 int export_deck(const ExportArguments& arguments);
@@ -154,19 +155,19 @@ struct IdentifyArguments {
   std::string method;            // "average" or "dual"
   double volume = 0.0;           // [m3]
   double mass = 0.0;             // [kg]
-  std::string gas;               // of the inflator: NAME or NAME=FRACTION,...
-  std::string tank_gas = "air";  // of the tank before firing
-  std::string by = "mass";       // what the fractions are of: "mass" or "mole"
+  std::string gas;               // gas of the inflator: NAME or NAME=FRACTION,......
+  std::string tank_gas = "air";  // gas of the tank before firing
+  std::string by = "mass";       // fractions by "mass" or "mole"
   std::string thermodynamics = "nasa7";
-  std::filesystem::path species;        // a case whose [[gas.species]] may be named; none if empty
+  std::filesystem::path species;        // a case whose [[gas.species]] may be used; empty: none
   double initial_temperature = 293.15;  // [K] of the tank's gas
   std::string time_column = "time_s";
   std::string tank_column = "tank_pressure_Pa";
   std::string chamber_column = "chamber_pressure_Pa";
-  std::string noise = "reading";  // what the gauges' noise is a share of: "reading" or "full-scale"
-  double threshold = 0.05;        // of the largest K
+  std::string noise = "reading";  // the gauges' noise is a share of the "reading" or of "full-scale"
+  double threshold = 0.05;        // share of the largest K
   int points = 501;               // rows of the curve
-  int draws = 400;                // for the bands
+  int draws = 400;                // draws for the bands
 };
 int identify(const IdentifyArguments& arguments);
 

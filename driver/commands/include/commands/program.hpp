@@ -6,9 +6,9 @@
 
 namespace driver::commands {
 
-/// Runs the subcommand that the command line asks for; those of many runs let `crew` compute them.
+/// Runs the subcommand of the command line. Commands of many runs let `crew` compute them.
 int run_command_line(int argc, char** argv, const MakeCrew& crew);
-/// The same as a whole program: errors are told, and are exit codes.
+/// The same as a whole program: prints errors and turns them into exit codes.
 int program(int argc, char** argv, const MakeCrew& crew);
 
 }  // namespace driver::commands

@@ -4,8 +4,8 @@
 
 namespace driver {
 
-/// Student's distribution in doubles. Boost's default is long double, for which it computes as the program
-/// starts: under valgrind, which has no such numbers, that would end it.
+/// Student's distribution in doubles. Boost's default, long double, would end the program under valgrind,
+/// which does not support it.
 using StudentsT = boost::math::students_t_distribution<
     double, boost::math::policies::policy<boost::math::policies::promote_double<false>>>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the writers of both formats ask a deck: numbers of nodes, elements and parts.
+// Numbers of nodes, elements and parts of a deck, for the writers of both formats.
 #pragma once
 
 #include <array>
@@ -9,15 +9,17 @@
 
 namespace driver {
 
-/// Numbers of what both decks have besides the bag, whose nodes and elements begin at 1.
+/// Numbers of the objects that both decks have besides the bag. The bag's nodes and elements begin at 1.
 struct DeckIds {
   explicit DeckIds(const Deck& deck);
-  int sphere_node = 0, cg = 0, pivot = 0, along = 0, across = 0, support = 0;  // nodes; sphere: the first
-  int sphere_element = 0, strap_element = 0, joint_element = 0;                // the first of each
-  int sphere_part = 0, strap_part = 0, joint_part = 0;                         // straps: the first
+  int sphere_node = 0, cg = 0, pivot = 0, along = 0, across = 0, support = 0;  // nodes; the first one of the
+                                                                               // sphere
+  int sphere_element = 0, strap_element = 0, joint_element = 0;                // the first element of each
+  int sphere_part = 0, strap_part = 0, joint_part = 0;                         // parts; the first one of the
+                                                                               // straps
 };
 
-/// Numbers of the bag's nodes, from 1; without the fixed ones if asked for.
+/// Numbers of the bag's nodes, from 1; with `free_only`, without the fixed ones.
 std::vector<int> bag_nodes(const Deck& deck, bool free_only);
 /// Nodes that are held along the same axes.
 struct HeldNodes {
@@ -25,16 +27,16 @@ struct HeldNodes {
   std::vector<int> nodes;       // their numbers, from 1
   bool fixed() const { return along[0] && along[1] && along[2]; }
 };
-/// All of them, each node once.
+/// All held nodes, each once.
 std::vector<HeldNodes> held_nodes(const Deck& deck);
 std::vector<int> sphere_nodes(const Deck& deck, const DeckIds& ids);
-/// Numbers of the corners of elements of the bag, rising.
+/// Numbers of the nodes of elements of the bag, rising.
 std::vector<int> corners_of(const Deck& deck, const std::vector<int>& elements);
 
-/// The fabric of the first part that has one; null panels borrow its thickness and modulus.
+/// The fabric of the first part that has one. Null panels use its thickness and modulus.
 const membrane::ElementProperties& a_fabric(const Deck& deck);
-/// Force of a strap [N] against its elongation from the start [m]. The knots are even about the kink, so that
-/// programs that read curves again on a hundred even steps have a knot there.
+/// Force of a strap [N] against its elongation from the start [m]. Knots are evenly spaced about the kink, so
+/// that programs that resample curves on a hundred even steps have a knot there.
 DeckCurve force_of(const Deck& deck, const membrane::Strap& strap);
 
 }  // namespace driver

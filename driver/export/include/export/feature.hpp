@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of each key of a case in the deck of another program.
+// How the deck of another program represents each key of a case.
 #pragma once
 
 #include <string>
@@ -21,8 +21,7 @@ struct Outcome {
   bool lost = false;  // an effect that the deck lacks: a case that sets it gets a note
 };
 
-/// One key of cases, without the numbers of tables: "inflator.jet.radius". It stands for the keys below it
-/// too.
+/// One key of cases, without numbers of tables: "inflator.jet.radius". It includes the keys below it.
 struct Feature {
   const char* key;
   Outcome radioss, lsdyna;
@@ -31,14 +30,14 @@ struct Feature {
 
 /// The whole table.
 const std::vector<Feature>& features();
-/// Rows that go before those of the table where the fabric is by measured curves.
+/// Rows that take precedence for fabric by measured curves.
 const std::vector<Feature>& features_of_curves();
-/// True of a fabric law that the table speaks of.
+/// True for a fabric law that the table describes.
 bool is_mapped(std::string_view law);
-/// Row of any other law, and of the constants that are its own.
+/// Row of any other law, and of its own constants.
 const Feature& feature_of_other_laws();
 
-/// One key that the case uses, by itself or by default.
+/// One key of the case, given or by default.
 struct UsedFeature {
   std::string path;
   std::string value;
@@ -46,11 +45,11 @@ struct UsedFeature {
   bool is_default = false;
 };
 
-/// All settings of the deck's case; those of parts that the deck leaves out, and of what serves these alone,
-/// are left out. Throws std::logic_error for a key that the table does not name.
+/// All settings of the deck's case, without parts that the deck leaves out and parts that serve only those.
+/// Throws std::logic_error for a key that the table does not name.
 std::vector<UsedFeature> used_features(const CaseDocument& document, const Deck& deck);
 
-/// A note for each effect that the case asks for and the deck lacks.
+/// A note for each effect of the case that the deck lacks.
 std::vector<DeckNote> notes_of_lost(const std::vector<UsedFeature>& used);
 
 /// export.md.

@@ -10,7 +10,7 @@ namespace driver {
 /// The files of the deck.
 DeckFiles write_lsdyna(const Deck& deck, const Units& units);
 
-/// Names the vents for which an LS-DYNA deck, with its one opening, has no place.
+/// Lists the vents that an LS-DYNA deck, with its one opening, cannot represent.
 void leave_out_lsdyna_vents(Deck& deck);
 
 }  // namespace driver

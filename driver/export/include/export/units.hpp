@@ -7,11 +7,11 @@
 
 namespace driver {
 
-/// Consistent units: those of mass, length and time, in SI units. Temperatures stay in K, amounts in mol.
+/// Consistent units of mass, length and time, in SI units. Temperatures stay in K, amounts in mol.
 struct Units {
   std::string name;                                 // as on the command line
   double mass, length, time;                        // [kg], [m], [s]
-  const char *mass_code, *length_code, *time_code;  // as /BEGIN names them
+  const char *mass_code, *length_code, *time_code;  // names in /BEGIN
 
   double area() const { return length * length; }
   double volume() const { return length * length * length; }

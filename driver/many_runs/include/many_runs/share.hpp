@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One of several parts of many runs, for as many machines.
+// A part of many runs, for one of several machines.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@
 
 namespace driver {
 
-/// In a folder of results, with a folder for each share.
+/// Folder, in a folder of results, that has a folder for each share.
 inline constexpr const char* shares_folder = "shares";
 
-/// The runs whose number leaves the rest number - 1 when divided by count.
+/// The runs whose number modulo `count` is `number` - 1.
 struct Share {
   int number = 1, count = 1;
   bool has(long run) const { return run % count == number - 1; }
-  /// Of its folder.
+  /// Name of its folder.
   std::string name() const;
 };
 
-/// Reads NUMBER/COUNT; empty: all runs. Throws CaseError, which names --share.
+/// Reads NUMBER/COUNT; empty: all runs. Throws a CaseError that names --share.
 Share share_of(const std::string& text);
 
 /// Folders of the shares below `folder` that hold runs, in the order of their names. Throws CaseError if one

@@ -10,13 +10,13 @@ namespace driver {
 
 struct ReportOptions {
   std::filesystem::path reference;            // history to judge runs by, or empty
-  std::size_t most_rows = 4000;               // of a table in the page, and those of the extremes
-  std::size_t most_frame_bytes = 20'000'000;  // of a run
+  std::size_t most_rows = 4000;               // rows of a table in the page, besides those of extremes
+  std::size_t most_frame_bytes = 20'000'000;  // bytes of the frames of a run
 };
 
 /// The page as HTML. Each of `results` is the folder of a run, an ensemble or a ladder, or a CSV file with a
-/// column time_s. A longer table is thinned, and the page says so. Throws CaseError for what is none of them,
-/// and for files that are damaged or do not fit each other.
+/// column time_s. A longer table is thinned, and the page says so. Throws CaseError for other paths, and for
+/// files that are damaged or do not belong together.
 std::string report_page(const std::vector<std::filesystem::path>& results, const ReportOptions& options);
 
 }  // namespace driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a triangulated skin passes through itself, and what volume is counted wrongly for it (M.35).
+// Where a triangulated skin passes through itself, and which volume is therefore counted wrongly (M.35).
 #pragma once
 
 #include <Eigen/Core>
@@ -17,13 +17,13 @@ using TrianglesView = Eigen::Ref<const Eigen::Matrix3Xi>;
 
 /// Pairs of triangles that meet elsewhere than in the nodes and edges that they share, exactly on the
 /// coordinates as given.
-/// - Triangles that share no node cross if they have a point in common. So a touch counts, and so do layers
-///   that lie on each other in one plane.
+/// - Triangles that share no node cross if they have a point in common. Contact and layers on each other in
+///   one plane count, too.
 /// - Triangles that share a node cross if they meet elsewhere.
 /// - Triangles that share an edge cross if they lie in one plane on one side of it.
 ///
-/// Triangles without area are left out. Nodes are finite, and each triangle has three different ones. The
-/// cost grows as M^1.5 for triangles of one size.
+/// Triangles without area are left out. Preconditions: nodes are finite, and each triangle has three
+/// different ones. The cost grows as M^1.5 for triangles of one size.
 std::vector<std::pair<int, int>> crossing_pairs(const NodesView& nodes, const TrianglesView& triangles);
 
 /// A volume and its standard error, both [m3].
@@ -38,13 +38,13 @@ struct LayerVolumes {
   VolumeEstimate inside_out{};     // integral of max(-w, 0)
 };
 
-/// Integrates along `lines` parallel lines or some more, across the shortest extent of the surface. There are
-/// two random lines in each cell of a grid, always the same ones, whose difference gives the standard error.
+/// Integrates along at least `lines` parallel lines, across the shortest extent of the surface. Each cell of
+/// a grid has two random lines, always the same ones; their difference gives the standard error.
 LayerVolumes layer_volumes(const NodesView& nodes, const TrianglesView& triangles, int lines);
 
-/// What there is to say of one state of the skin.
+/// Crossings of the skin in one state.
 struct Crossing {
-  std::size_t pairs = 0;     // of elements that cross
+  std::size_t pairs = 0;     // pairs of elements that cross
   std::size_t elements = 0;  // elements in them
   LayerVolumes volumes{};    // zero if no elements cross
   /// [m3] Counted twice or inside out.
@@ -55,8 +55,7 @@ struct Crossing {
 /// everywhere, and no line is drawn.
 Crossing find_crossing(const NodesView& nodes, const TrianglesView& triangles, bool closed);
 
-/// Elements, pairs and volumes in words; the volumes as parts of the signed `volume` [m3], where that is
-/// above 0.
+/// Elements, pairs and volumes in words; volumes as shares of the signed `volume` [m3] if that is above 0.
 std::string text_of(const Crossing& crossing, double volume);
 
 }  // namespace driver

@@ -12,7 +12,7 @@
 
 namespace driver {
 
-/// A mesh as VTK XML text, with the number of each element's panel.
+/// A mesh as VTK XML text, with the panel number of each element.
 std::string polydata_of(const mesh::Mesh& mesh);
 
 /// Writes the field files.

@@ -26,9 +26,9 @@ constexpr std::size_t frame_bytes(std::size_t scalars, std::size_t nodes, std::s
   return (8 * scalars + 8 * nodes + 5 * elements + 7) / 8 * 8;
 }
 
-/// A line of JSON that says what never changes and how a frame is laid out, then one frame after another, all
-/// of one size. Positions, speeds, strains and overpressures are 16-bit multiples of a step that each frame
-/// states: they are off by half of it at most. Whatever a frame holds is little-endian.
+/// A line of JSON with constant data and the layout of a frame, then frames of equal size, little-endian.
+/// Positions, speeds, strains and overpressures are 16-bit multiples of a step that each frame states, so
+/// their error is at most half a step.
 class FrameWriter {
  public:
   /// Writes frames.bin of the folder's run. Precondition: the scene has a bag or a target. Throws OutputError
@@ -42,15 +42,15 @@ class FrameWriter {
   std::filesystem::path file_;
   std::ofstream stream_;
   const Scene& scene_;
-  std::unique_ptr<const TargetPicture> target_;  // null: a bag
+  std::unique_ptr<const TargetPicture> target_;  // null for a bag
 };
 
-/// What frames.bin holds.
+/// Content of frames.bin.
 struct Frames {
   nlohmann::ordered_json header;  // its first line
   std::string data;               // whole frames of header["frame_bytes"] bytes, at least one
 };
-/// Reads frames.bin. Throws CaseError if the file is of another kind, or if it does not hold whole frames of
+/// Reads frames.bin. Throws CaseError if the file is of another kind, or if it is not made of whole frames of
 /// the size in its header.
 Frames load_frames(const std::filesystem::path& file);
 

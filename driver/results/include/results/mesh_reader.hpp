@@ -9,10 +9,11 @@
 
 namespace driver {
 
-/// The endings of the formats that are read, for help and messages.
+/// The endings of readable formats, for help and messages.
 inline constexpr const char* mesh_endings = ".obj, .k, .key, .dyn, .rad, .stl, .ply, .off, .vtk, .msh";
 
-/// Reads a mesh, format by the ending, lengths as they stand. Throws mesh::MeshFileError for another
+/// Reads a mesh in the format of the file's ending; lengths are not converted. Throws mesh::MeshFileError for
+/// another
 /// ending, a file that cannot be read, and whatever is wrong with its text. Files that CGAL reads have no
 /// Mesh::line, and one panel, "default".
 mesh::Mesh read_any_mesh(const std::filesystem::path& path);

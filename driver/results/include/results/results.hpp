@@ -18,15 +18,15 @@ Provenance provenance(const std::filesystem::path& case_file, const std::vector<
 Provenance provenance(const std::filesystem::path& case_file, const std::vector<std::string>& overrides,
                       const std::string& run);
 
-/// A CSV file of chosen columns, readable at any moment of the run: numbers in the shortest form that reads
-/// back to the same double. It has whole rows only.
+/// A CSV file of chosen columns, readable at any moment of the run: it has whole rows only. Numbers have the
+/// shortest form that reads back to the same double.
 class CsvWriter {
  public:
   /// Throws OutputError when the file cannot be opened.
   CsvWriter(ResultFolder& folder, const std::string& name, std::vector<Column> columns);
-  /// Throws WriteError, and leaves the row out, when a value is not finite or the file takes no more.
+  /// Leaves the row out and throws WriteError if a value is not finite or the file cannot grow.
   void write(const Scene& scene, const State& state);
-  /// Rows of more than a second ago are in the file from here on. Cheap enough to be called every step.
+  /// Writes rows older than a second to the file. Cheap enough to be called every step.
   void keep_up();
   void flush();
 

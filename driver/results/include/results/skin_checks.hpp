@@ -10,20 +10,20 @@
 
 namespace driver {
 
-/// What a check found at one level.
+/// Result of a check at one level.
 struct SkinCheck {
   double time = 0.0;    // [s]
-  double volume = 0.0;  // [m3] signed volume (M.5) of a bag; 0 of a sheet
+  double volume = 0.0;  // [m3] signed volume (M.5) of a bag; 0 for a sheet
   Crossing crossing{};
 };
 
-/// Checks a bag at the start, at the end, and at the first levels where a quarter, a half and three quarters
-/// of the way from its initial to its design volume are done; also at the first level at or past each
-/// multiple of output.self_intersection_every. A sheet has no volume: it has the other checks.
+/// Checks a bag at the start, at the end, and at the first levels after a quarter, a half and three quarters
+/// of the way from its initial to its design volume; also at the first level at or after each multiple of
+/// output.self_intersection_every. A sheet has no volume, and only the other checks.
 class SkinChecks {
  public:
   explicit SkinChecks(const Scene& scene);
-  /// For run_scene(); it refers to this.
+  /// For run_scene(); it refers to this object.
   LevelView view();
   /// In the order of time.
   const std::vector<SkinCheck>& found() const { return found_; }
@@ -36,13 +36,13 @@ class SkinChecks {
 
   const Scene& scene_;
   double initial_volume_ = 0.0, design_volume_ = 0.0;  // [m3]
-  int quarters_ = 3;                                   // of the way that are done
+  int quarters_ = 3;                                   // quarters of the way that are done
   Schedule schedule_;
   std::vector<SkinCheck> found_;
 };
 
-/// What to warn of after a run: the check in which most of the volume was counted wrongly, if that was more
-/// than a hundredth of it; else empty. The check at the start is left to add_skin_warning().
+/// Warning after a run: the check with the largest wrongly counted share of the volume, if above a hundredth;
+/// otherwise empty. add_skin_warning() covers the check at the start.
 std::string note_of_crossing(const std::vector<SkinCheck>& checks);
 
 /// Adds a warning if elements of the bag cross each other at the start.

@@ -11,10 +11,10 @@
 
 namespace driver {
 
-/// Text of summary.json of a run, whatever its outcome.
+/// Text of summary.json of a run, with any outcome.
 std::string summary_text(const Scene& scene, const State& state, const RunOutcome& outcome,
                          const std::vector<SkinCheck>& checks, const Provenance& provenance);
-/// The same until the run ends.
+/// The text while the run goes on.
 std::string summary_of_running(const Scene& scene, const Provenance& provenance);
 
 }  // namespace driver

@@ -9,7 +9,7 @@
 
 namespace driver {
 
-/// Endings and units; a longer ending stands before one that it ends in.
+/// Endings and units. A longer ending comes before a shorter one that it contains.
 inline constexpr std::pair<std::string_view, std::string_view> unit_endings[] = {
     {"_m_s2", "m/s²"}, {"_rad_s", "rad/s"}, {"_kg_K_s", "kg K/s"}, {"_kg_s", "kg/s"}, {"_m_s", "m/s"},
     {"_m3", "m³"},     {"_m2", "m²"},       {"_Pa", "Pa"},         {"_kg", "kg"},     {"_Ns", "N s"},

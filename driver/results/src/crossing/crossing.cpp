@@ -16,7 +16,7 @@ Crossing find_crossing(const NodesView& nodes, const TrianglesView& triangles, b
   for (const auto& [first, second] : pairs)
     crosses[static_cast<std::size_t>(first)] = crosses[static_cast<std::size_t>(second)] = 1;
   crossing.elements = static_cast<std::size_t>(std::ranges::count(crosses, 1));
-  // One line for each element has the cost of the pairs, and grows with the run.
+  // One line for each element costs as much as the search of pairs.
   const int lines = static_cast<int>(std::clamp<Eigen::Index>(triangles.cols(), 2048, 16384));
   if (closed) crossing.volumes = layer_volumes(nodes, triangles, lines);
   return crossing;

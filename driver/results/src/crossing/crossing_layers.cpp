@@ -16,7 +16,7 @@ using Point = Eigen::Vector2d;
 struct Hit {
   std::size_t line;
   double height;  // [m] along the line
-  int step;       // of the winding number
+  int step;       // step of the winding number
 };
 
 /// Lines across the shortest extent of the surface, two in each cell of a grid of almost square cells.
@@ -32,7 +32,7 @@ class LineGrid {
     for (int k = 0; k < 2; ++k)
       count_[static_cast<std::size_t>(k)] = side > 0.0 ? static_cast<int>(std::ceil(extent(k) / side)) : 0;
     cell_ = side > 0.0 ? Point(extent.x() / count_[0], extent.y() / count_[1]) : Point::Zero();
-    std::mt19937_64 random;  // the same lines in each look
+    std::mt19937_64 random;  // the same lines in each check
     const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
     for (int i = 0; i < count_[0]; ++i)
       for (int j = 0; j < count_[1]; ++j)
@@ -45,7 +45,7 @@ class LineGrid {
   double cell_area() const { return cell_.prod(); }  // [m2]
   std::size_t cells() const { return points_.size() / 2; }
 
-  /// Adds where lines meet the triangle with these corners.
+  /// Adds the points where lines meet the triangle with these corners.
   void add_hits(const std::array<Eigen::Vector3d, 3>& corner, std::vector<Hit>& hits) const {
     std::array<Point, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = {corner[k](across_[0]), corner[k](across_[1])};
@@ -64,7 +64,7 @@ class LineGrid {
   std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(i) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(j);
   }
-  // Rounding may leave a line just outside of its cell.
+  // One cell more on each side: rounding may move a line just outside its cell.
   std::pair<int, int> cells_between(const Point& low, const Point& high, int k) const {
     const auto place = [&](double x, double margin) {
       const double cell = std::floor((x - low_(k)) / cell_(k) + margin);
@@ -80,7 +80,7 @@ class LineGrid {
     const double u = twice(p[1], p[2], q), v = twice(p[2], p[0], q), w = twice(p[0], p[1], q);
     const double a = corner[0](along_), b = corner[1](along_), c = corner[2](along_);
     const double total = u + v + w;
-    if (total == 0.0) return a;  // seen from its edge, to rounding
+    if (total == 0.0) return a;  // edge-on, to rounding
     return std::clamp((u * a + v * b + w * c) / total, std::min({a, b, c}), std::max({a, b, c}));
   }
 

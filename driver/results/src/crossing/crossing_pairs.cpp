@@ -44,7 +44,7 @@ bool has_area(const Face& face) {
   return !exact::is_degenerate(face.corner);
 }
 
-// Side of the plane of t on which p is; 0: on it, or rounding leaves it open.
+// Side of the plane of t on which p is; 0: on it, or not certain by rounding.
 int plane_side(const Face& t, const Eigen::Vector3d& p) {
   const Eigen::Vector3d from = p - t.corner[0];
   return sign_if_sure(t.normal.dot(from), t.magnitude.dot(from.cwiseAbs()));
@@ -60,7 +60,7 @@ bool has_node(const Face& t, int node) {
   return t.node[0] == node || t.node[1] == node || t.node[2] == node;
 }
 
-// Whether the corners of u that are not corners of t are all on one side of the plane of t.
+// True if all corners of u that are not corners of t are on one side of the plane of t.
 bool one_side(const Face& t, const Face& u) {
   int side = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -72,7 +72,7 @@ bool one_side(const Face& t, const Face& u) {
   return true;
 }
 
-// Whether a projection onto a coordinate plane shows u beyond the line of an edge of t. Nodes of u may be
+// True if, in a projection onto a coordinate plane, u is beyond the line of an edge of t. Nodes of u may be
 // ends of that edge.
 bool beyond_an_edge(const Face& t, const Face& u) {
   Eigen::Index axis;
@@ -90,7 +90,7 @@ bool beyond_an_edge(const Face& t, const Face& u) {
   return false;
 }
 
-// Corners of t, those that are no corners of u last.
+// Corners of t: first those that are corners of u.
 Triangle shared_first(const Face& t, const Face& u) {
   Triangle order;
   std::size_t count = 0;
@@ -135,8 +135,8 @@ std::vector<Box> boxes_of(const std::vector<Face>& faces) {
   return boxes;
 }
 
-/// Boxes in strips across the second axis, as wide as a box on average. A box is in each strip that it
-/// touches. In each strip, boxes begin one after another along the first axis.
+/// Boxes in strips across the second axis, as wide as a box on average. A box is in every strip that it
+/// touches. The boxes of a strip are sorted by their begin along the first axis.
 class Strips {
  public:
   /// Precondition: there is a box.
@@ -157,7 +157,7 @@ class Strips {
         boxes_[strip].push_back(box);
   }
 
-  /// Calls `visit` with each two faces whose boxes overlap: once, in the strip where the later one begins.
+  /// Calls `visit` once for each two faces whose boxes overlap, in the strip where the later one begins.
   template <class Visit>
   void each_pair(const Visit& visit) const {
     for (std::size_t strip = 0; strip < boxes_.size(); ++strip)

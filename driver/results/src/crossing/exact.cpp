@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // This file is compiled with -frounding-math -ftrapping-math (see CMakeLists.txt): CGAL's interval filter
-// switches the rounding direction, which the compiler must not assume away.
+// switches the rounding direction, and the compiler must take that into account.
 #include "crossing/exact.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

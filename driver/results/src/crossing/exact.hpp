@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Predicates of triangles, decided as in exact arithmetic on the coordinates as given. CGAL stays in
-// exact.cpp.
+// Exact predicates of triangles on the coordinates as given. CGAL stays in exact.cpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,8 +19,8 @@ bool meet(const Triangle& t, const Triangle& u);
 /// is not degenerate.
 bool meet(const Triangle& t, const Eigen::Vector3d& p, const Eigen::Vector3d& q);
 
-/// True if the triangles a b c and b a d, which share the edge a b, lie on each other: in one plane, on one
-/// side of that edge. Precondition: neither is degenerate.
+/// True if the triangles a b c and b a d lie on each other: in one plane, on one side of their common edge a
+/// b. Precondition: neither is degenerate.
 bool overlap(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
              const Eigen::Vector3d& d);
 

@@ -20,9 +20,8 @@ int side(const Point& a, const Point& b, const Point& p) {
   return exact::side(a, b, p);
 }
 
-// How often the ray from p along x passes the edge a b upwards, less downwards, if p lies an infinitely small
-// step along x from where it is. So a line through an edge or a node meets one side of it, the same one for
-// all triangles there.
+// Crossings of the edge a b by the ray from p along x, upwards minus downwards, for p moved by an infinitely
+// small step along x. So for all triangles at an edge or a node, p is on the same side of it.
 int passes(const Point& a, const Point& b, const Point& p) {
   if (a.y() <= p.y() && b.y() > p.y()) return side(a, b, p) > 0 ? 1 : 0;
   if (b.y() <= p.y() && a.y() > p.y()) return side(a, b, p) < 0 ? -1 : 0;

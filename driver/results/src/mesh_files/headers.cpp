@@ -49,7 +49,7 @@ class Header {
     fail(0, "the file ends before end_header");
   }
 
-  // What the header of a PLY file counts.
+  // The counts in the header of a PLY file.
   const std::string& announced() const { return announced_; }
 
  private:
@@ -64,7 +64,7 @@ class Header {
       fail(2, "the format is not ascii, binary_little_endian or binary_big_endian");
   }
 
-  // An item takes a byte at least.
+  // Every item needs at least one byte.
   void count(std::istringstream& words, const char* missing) const {
     double number = -1.0;
     if (!(words >> number)) fail(line_, missing);
@@ -106,7 +106,7 @@ class Header {
   std::size_t line_ = 0;
   std::string announced_;
   std::string element_;                        // to which the properties belong
-  std::set<std::string> coordinates_, lists_;  // of vertices and faces
+  std::set<std::string> coordinates_, lists_;  // properties of vertices and faces
 };
 
 }  // namespace

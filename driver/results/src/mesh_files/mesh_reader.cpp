@@ -31,7 +31,7 @@ std::string bytes_of(const std::filesystem::path& path) {
   if (!file || std::filesystem::is_directory(path, ignored))
     throw MeshFileError(path.string(), 0, 0, "cannot be opened for reading");
   std::string bytes;
-  std::array<char, 1u << 16> chunk;  // a device may never end
+  std::array<char, 1u << 16> chunk;  // a device may be endless
   do {
     file.read(chunk.data(), chunk.size());
     bytes.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
@@ -47,13 +47,13 @@ std::string bytes_of(const std::filesystem::path& path) {
   throw MeshFileError(path.string(), line, line == 0 ? 0 : 1, message);
 }
 
-// Of the bytes up to `at`.
+// Number of line breaks in the bytes up to `at`.
 std::size_t line_breaks(const std::string& bytes, std::size_t at) {
   return static_cast<std::size_t>(
       std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-// CGAL reads no more than the header announces.
+// Throws if the file goes on: CGAL reads only what the header announces.
 void require_end(const std::filesystem::path& path, const Soup& soup, const std::string& bytes,
                  const std::string& announced) {
   const std::size_t more = bytes.find_first_not_of(" \t\r\n", soup.stopped_at);
@@ -90,7 +90,7 @@ mesh::Mesh read_any_mesh(const std::filesystem::path& path) {
   }
   const std::string bytes = bytes_of(path);
   if (ending == ".stl") {
-    // Text may stand behind a byte order mark.
+    // Text may follow a byte order mark.
     if (mesh::is_stl_text(bytes) || bytes.starts_with("\xEF\xBB\xBF")) return mesh::read_mesh(path);
     return mesh_of(path, SoupFormat::stl, bytes);
   }

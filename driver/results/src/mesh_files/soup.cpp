@@ -2,7 +2,7 @@
 // The only file of the driver that includes CGAL: headers under the LGPL.
 #include "soup.hpp"
 
-#define CGAL_DEBUG  // its readers state by assertions what a file must be; they throw
+#define CGAL_DEBUG  // its readers check files by assertions, which now throw
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-// Corners of a polygon, few enough for a damaged count to do no harm.
+// Corners of a polygon, of limited number, so that a damaged count does no harm.
 class Corners {
  public:
   using value_type = std::size_t;
@@ -49,7 +49,7 @@ bool read(SoupFormat format, std::istream& bytes, std::vector<Point>& points,
   return CGAL::IO::read_PLY(bytes, points, polygons, quiet);
 }
 
-// Numbers that no node can have stay such.
+// Invalid numbers remain invalid.
 int node_number(std::size_t corner) {
   constexpr auto most = static_cast<std::size_t>(std::numeric_limits<int>::max());
   return corner > most ? -1 : static_cast<int>(corner);
@@ -63,7 +63,7 @@ Soup read_soup(SoupFormat format, const std::string& bytes) {
   std::vector<Point> points;
   std::vector<Corners> polygons;
   std::istringstream stream(bytes);
-  // Assertions that fail throw and say nothing.
+  // Failed assertions throw without a message on the screen.
   const auto before = CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   try {
     if (!read(format, stream, points, polygons))

@@ -11,13 +11,13 @@ namespace driver {
 /// Formats that CGAL reads.
 enum class SoupFormat { stl, ply };
 
-/// Nodes and polygons as a file has them.
+/// Nodes and polygons as in the file.
 struct Soup {
   Eigen::Matrix3Xd nodes;                  // 3 x N
   std::vector<std::vector<int>> polygons;  // node numbers from 0
-  std::string fault;                       // what is wrong; empty if nothing is
-  std::size_t stopped_at = 0;              // byte at which the reader gave up or ended
-  bool is_text = true;                     // false: lines mean nothing
+  std::string fault;                       // the fault of the file; empty if there is none
+  std::size_t stopped_at = 0;              // byte at which the reader stopped
+  bool is_text = true;                     // false: the file has no lines
 };
 
 /// Reads the bytes of a file with CGAL. Never throws for a bad file. Precondition: counts of the header fit
