@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gasjet: airbags inflated with an analytical gas jet. SI units throughout.
 
-run() runs a case, exact() and catalogue() are the closed forms, compare() judges histories, visible() finds hidden elements,
-check_surface() faults of a mesh; Gas, Tank, Jet, Surface, Membrane, Contact and Pendulum are the parts for a program of one's own.
+run() runs a case, exact() and catalogue() give the closed forms, compare() judges histories, visible() finds hidden elements,
+check_surface() finds faults of a mesh. Gas, Tank, Jet, Surface, Membrane, Contact and Pendulum are parts for your own program.
 """
 from . import _gasjet
 from .bodies import Gas, Jet, Membrane, Surface, Tank, check_surface, fabric_leak, orifice, outlet, visible

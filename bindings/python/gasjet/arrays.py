@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arrays as the library takes them: views where the layout allows it."""
+"""Arrays for the library, as views if the layout allows it."""
 from __future__ import annotations
 
 from typing import Any, Sequence, Tuple
@@ -13,7 +13,7 @@ NO_INDICES = np.zeros(0, np.int32)
 
 
 def mesh_arrays(nodes: Any, triangles: Any, name: str = "nodes") -> Tuple[Any, Any]:
-    """Nodes and triangles; a meshio mesh stands for both."""
+    """Nodes and triangles; a meshio mesh can replace both."""
     if triangles is None:
         if not hasattr(nodes, "points"):
             raise TypeError("triangles: are missing, allowed: an array (m, 3), or a meshio mesh instead of nodes")
@@ -25,7 +25,7 @@ def mesh_arrays(nodes: Any, triangles: Any, name: str = "nodes") -> Tuple[Any, A
 
 
 def as_points(given: Any, name: str) -> np.ndarray:
-    """An array as it is if it is of float64; one of other numbers that float64 holds exactly, and lists and the like, as such."""
+    """Float64 arrays unchanged; numbers that float64 represents exactly, and lists and the like, are converted."""
     if isinstance(given, np.ndarray):
         _refuse_masks(given, name)
         array = given if given.dtype == np.float64 else _exact_doubles(given, name)
@@ -35,7 +35,7 @@ def as_points(given: Any, name: str) -> np.ndarray:
 
 
 def _exact_doubles(array: np.ndarray, name: str) -> np.ndarray:
-    """float32 and integers, as meshes have them, and other orders of bytes."""
+    """Converts float32, integers and other byte orders, which meshes may have."""
     kind, size = array.dtype.kind, array.dtype.itemsize
     if not (kind in "iu" or kind == "f" and size <= 8):
         raise TypeError(f"{name}: have the dtype {array.dtype}, allowed: float64, or numbers that it holds exactly")
@@ -51,7 +51,7 @@ def _rows_of_three(array: np.ndarray, name: str) -> np.ndarray:
 
 
 def as_numbers(given: Any, name: str) -> np.ndarray:
-    """Anything of real numbers as float64."""
+    """Any real numbers as float64."""
     try:
         array = np.asarray(given)
         if array.dtype.kind not in "biufO":
@@ -63,7 +63,7 @@ def as_numbers(given: Any, name: str) -> np.ndarray:
 
 
 def as_column(given: Any, name: str) -> np.ndarray:
-    """Real numbers in a row; one alone too."""
+    """Real numbers in one dimension; a single number gives one element."""
     array = np.atleast_1d(as_numbers(given, name))
     if array.ndim != 1:
         raise TypeError(f"{name}: have the shape {array.shape}, allowed: one dimension")
@@ -71,13 +71,13 @@ def as_column(given: Any, name: str) -> np.ndarray:
 
 
 def _refuse_masks(given: Any, name: str) -> None:
-    """What a mask hides would count as a number."""
+    """Masked values would be read as numbers."""
     if isinstance(given, np.ma.MaskedArray) and np.ma.is_masked(given):
         raise TypeError(f"{name}: has masked values, allowed: an array without a mask")
 
 
 def handle_of(given: Any, kind: type, name: str) -> Any:
-    """What the library knows an object of the package by."""
+    """The library's handle of an object."""
     if not isinstance(given, kind):
         raise TypeError(f"{name}: is a {type(given).__name__}, allowed: a gasjet.{kind.__name__}")
     return given._handle
@@ -98,7 +98,7 @@ def as_triangles(triangles: Any) -> np.ndarray:
 
 
 def as_indices(numbers: Any, name: str) -> np.ndarray:
-    """Element or node numbers; None is none."""
+    """Element or node numbers; None means an empty list."""
     if numbers is None:
         return NO_INDICES
     array = np.asarray(numbers)

@@ -14,7 +14,7 @@ from .errors import Error
 class Gas:
     """A mixture by mole, "N2=0.78, O2=0.22", with NASA-7 heat capacities.
 
-    Species: N2 O2 Ar He H2 CO CO2 H2O NO N2O NH3 CH4. constant_cp_at [K]: cp is constant, its value at this temperature.
+    Species: N2 O2 Ar He H2 CO CO2 H2O NO N2O NH3 CH4. constant_cp_at [K]: makes cp constant, with its value at this temperature.
     """
 
     __slots__ = ("_handle", "_words", "__weakref__")
@@ -35,7 +35,7 @@ class Gas:
         return f"<gasjet.Gas {self._words}>"
 
     def properties(self, temperature: float) -> Dict[str, float]:
-        """Of 1 kg at temperature [K]: gas_constant_J_kgK, cp_J_kgK, cv_J_kgK, gamma, enthalpy_J_kg, internal_energy_J_kg,
+        """Properties of 1 kg at temperature [K]: gas_constant_J_kgK, cp_J_kgK, cv_J_kgK, gamma, enthalpy_J_kg, internal_energy_J_kg,
         speed_of_sound_m_s."""
         return _gasjet.gas_values(self._handle, temperature)
 
@@ -44,7 +44,7 @@ class Gas:
         return _gasjet.gas_temperature(self._handle, internal_energy)
 
     def entropy(self, temperature: float, pressure: float) -> float:
-        """[J/(kg K)] at temperature [K] and pressure [Pa]."""
+        """Entropy [J/(kg K)] at temperature [K] and pressure [Pa]."""
         return _gasjet.gas_entropy(self._handle, temperature, pressure)
 
 
@@ -60,7 +60,7 @@ def fabric_leak(leak_area: float, density: float, overpressure: float) -> float:
 
 
 class Tank:
-    """A volume [m3] of gas at uniform pressure [Pa] and temperature [K], from time 0. Parts are added before the first advance."""
+    """A volume [m3] of gas at uniform pressure [Pa] and temperature [K], from time 0. Add parts before the first advance."""
 
     __slots__ = ("_handle", "_volume", "__weakref__")
 
@@ -83,7 +83,7 @@ class Tank:
         _gasjet.tank_add_inflow(self._handle, handle_of(gas, Gas, "gas"), *knots, start_time)
 
     def add_vent(self, area: float, discharge_coefficient: float = 1.0, opens_at: float = 0.0) -> None:
-        """A hole of area [m2]; it opens for good at the overpressure opens_at [Pa]; 0: always open."""
+        """A hole of area [m2]; it opens for ever at the overpressure opens_at [Pa]; 0: always open."""
         _gasjet.tank_add_vent(self._handle, discharge_coefficient, area, opens_at)
 
     def add_fabric(self, leak_area: float) -> None:
@@ -91,7 +91,7 @@ class Tank:
         _gasjet.tank_add_fabric(self._handle, leak_area)
 
     def advance(self, time: float, volume: Optional[float] = None) -> Dict[str, float]:
-        """Goes on to time [s]; the volume changes linearly to `volume` [m3] (None: stays). Returns `state`."""
+        """Advances to time [s]; the volume changes linearly to `volume` [m3] (None: constant). Returns `state`."""
         new = self._volume if volume is None else volume
         _gasjet.tank_advance(self._handle, time, new)
         self._volume = new
@@ -99,14 +99,14 @@ class Tank:
 
     @property
     def state(self) -> Dict[str, float]:
-        """Now: time_s, pressure_Pa, temperature_K, volume_m3, gas_mass_kg, internal_energy_J, density_kg_m3, gamma, cp_J_kgK,
+        """Present state: time_s, pressure_Pa, temperature_K, volume_m3, gas_mass_kg, internal_energy_J, density_kg_m3, gamma, cp_J_kgK,
         gas_constant_J_kgK, inflow_kg_s, vent_outflow_kg_s, fabric_outflow_kg_s."""
         return _gasjet.tank_state(self._handle)
 
     @property
     def balance(self) -> Dict[str, float]:
-        """What crossed the border since the start: mass_in_kg, enthalpy_in_J, vent_mass_out_kg, fabric_mass_out_kg,
-        enthalpy_out_J, work_J; what does not balance: mass_residual_kg, energy_residual_J; and substeps, how many it took."""
+        """Amounts that crossed the boundary since the start: mass_in_kg, enthalpy_in_J, vent_mass_out_kg, fabric_mass_out_kg,
+        enthalpy_out_J, work_J; residuals of the balances: mass_residual_kg, energy_residual_J; and the number of substeps."""
         return _gasjet.tank_balance(self._handle)
 
 
@@ -122,7 +122,7 @@ def outlet(area: float, mass_flow: float, temperature: float, cp: float, gas_con
 
 
 class Surface:
-    """Triangles that are asked again and again what a source sees of them; it keeps what makes the next answer fast."""
+    """Triangles for repeated queries of what a source sees. Stored data makes the next query faster."""
 
     __slots__ = ("_elements", "_nodes", "_handle", "__weakref__")
 
@@ -141,7 +141,7 @@ class Surface:
         """Mask (bool) of the candidates (None: every element) that are seen from `centre` [m], exactly.
 
         half_long [m] > 0: the source is a line along long_direction. displacement_bound [m]: no node has moved farther since
-        the first call; the answer does not depend on it.
+        the first call; it affects the speed only.
         """
         some = None if candidates is None else as_indices(candidates, "candidates")
         return _gasjet.surface_visible(self._handle, self._elements, as_points(nodes, "nodes"), centre, axis, long_direction, half_long, some,
@@ -154,7 +154,7 @@ def visible(nodes: Any, triangles: Any = None, centre: Vector = (0.0, 0.0, 0.0),
     """Mask (bool) of the triangles that are seen from `centre` [m], exactly.
 
     nodes: (n, 3) doubles in any layout, [m]; triangles: (m, 3) integers, counter-clockwise seen from outside; or a meshio mesh
-    instead of both. An element is seen if its inner side faces the source and nothing stands between.
+    instead of both. An element is seen if its inner side faces the source and nothing lies in between.
     """
     nodes, triangles = mesh_arrays(nodes, triangles)
     return Surface(triangles, len(nodes), null_elements, attachment_elements).visible(
@@ -162,11 +162,11 @@ def visible(nodes: Any, triangles: Any = None, centre: Vector = (0.0, 0.0, 0.0),
 
 
 def check_surface(nodes: Any, triangles: Any = None) -> Dict[str, Any]:
-    """What keeps a surface from enclosing a volume: `findings`, a list of texts, and the faults. `ok`: there are none.
+    """Faults that keep a surface from enclosing a volume: `findings`, a list of texts, and the counts. `ok`: there are none.
 
     Counts: boundary_edges, non_manifold_edges, inconsistent_edges, repeated_node_elements, pinched_nodes, unused_nodes,
-    more_components (beyond the first). True or False: inward, flat. Membrane and Jet take any surface; the volume and the load of
-    one with faults mean nothing. A meshio mesh stands for both.
+    more_components (beyond the first). True or False: inward, flat. Membrane and Jet accept any surface, but with faults its
+    volume and load are meaningless. A meshio mesh can replace nodes and triangles.
     """
     return _gasjet.check_surface(*mesh_arrays(nodes, triangles))
 
@@ -187,7 +187,7 @@ class Jet:
                                         cone_initial_width, cone_half_angle, restitution, cut_off, radial)
         self._skin: Tuple[Any, Any] = (None, None)
         self.counters: Dict[str, int] = {}
-        self.velocity(np.zeros((1, 3)))  # judges the model
+        self.velocity(np.zeros((1, 3)))  # checks the model
         size = f"round, radius {radius:g} m" if radius == radius else f"{short_side:g} m by {long_side:g} m"
         self._words = f"{size}, at ({', '.join(f'{x:g}' for x in centre)}) m along ({', '.join(f'{x:g}' for x in axis)})"
 
@@ -195,16 +195,16 @@ class Jet:
         return f"<gasjet.Jet {self._words}>"
 
     def velocity(self, points: Any) -> np.ndarray:
-        """Velocity over the outlet's at points (n, 3) [m]."""
+        """Velocity relative to the outlet's at points (n, 3) [m]."""
         return _gasjet.jet_velocity(self._model, as_points(points, "points"))
 
     def pressure(self, nodes: Any, triangles: Any = None, *, velocity: float, density: float, occlusion: bool = True,
                  null_elements: Any = None, attachment_elements: Any = None,
                  displacement_bound: float = NAN) -> Tuple[np.ndarray, np.ndarray]:
-        """Overpressure [Pa] of each triangle and the force [N] of all; `counters` says what was lit and hidden.
+        """Overpressure [Pa] of each triangle and the force [N] of all; `counters` has the numbers of lit and hidden elements.
 
-        velocity [m/s] and density [kg/m3] are those of the outlet. What is known of a surface is kept for the next call
-        with equal triangles; see Surface for displacement_bound.
+        velocity [m/s] and density [kg/m3] belong to the outlet. Data of a surface is kept for the next call with equal
+        triangles; for displacement_bound see Surface.
         """
         nodes, triangles = mesh_arrays(nodes, triangles)
         roles = (as_indices(null_elements, "null_elements"), as_indices(attachment_elements, "attachment_elements"))
@@ -254,6 +254,6 @@ class Membrane:
         """force_N and gradient_m2 (of the volume) of each node, volume_m3, area_m2, mass_kg, strain_energy_J and critical_step_s at
         positions nodes (n, 3) [m].
 
-        gamma [-] and absolute pressure [Pa] of the gas go into the critical step; 0: the pressure is prescribed.
+        gamma [-] and absolute pressure [Pa] of the gas affect the critical step; gamma = 0: the pressure is prescribed.
         """
         return _gasjet.membrane_evaluate(self._handle, as_points(nodes, "nodes"), gamma, pressure)

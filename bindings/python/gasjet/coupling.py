@@ -16,7 +16,7 @@ class Pendulum:
 
     pivot [m]; axis: `angle` [rad] grows right-handed about it; rest_direction: from the pivot to the centre of gravity at angle 0,
     normal to the axis; mass [kg]; inertia_cg [kg m2]: about the centre of gravity; cg_distance, impactor_distance and
-    impactor_radius [m]; gravity [m/s2]. It starts with `angle` and `angular_velocity` [rad/s], which are those of now.
+    impactor_radius [m]; gravity [m/s2]. `angle` and `angular_velocity` [rad/s] are first the initial and then the present values.
     """
 
     __slots__ = ("_model", "_step_before", "angle", "angular_velocity", "__weakref__")
@@ -29,7 +29,7 @@ class Pendulum:
         self._step_before = 0.0
         self.angle = angle
         self.angular_velocity = angular_velocity
-        self.state  # judges the model
+        self.state  # checks the model
 
     def __repr__(self) -> str:
         return f"<gasjet.Pendulum at {self.angle:.6g} rad, {self.angular_velocity:.6g} rad/s>"
@@ -37,7 +37,7 @@ class Pendulum:
     @property
     def state(self) -> Dict[str, Any]:
         """impactor_centre_m, impactor_velocity_m_s, cg_position_m, gravity_moment_Nm, potential_energy_J, kinetic_energy_J,
-        axis_inertia_kg_m2, and effective_mass_kg, which a force along the impactor's path sees. Velocity and kinetic energy are those of
+        axis_inertia_kg_m2, and effective_mass_kg for a force along the impactor's path. Velocity and kinetic energy belong to
         `angular_velocity`."""
         return _gasjet.pendulum_evaluate(self._model, self.angle, self.angular_velocity)
 
@@ -46,9 +46,9 @@ class Pendulum:
         return _gasjet.pendulum_moment(self._model, force, point)
 
     def advance(self, step: float, moment: float = 0.0) -> float:
-        """Goes on by a step [s] of the central difference and returns the angle. moment [N m]: of all but gravity, now.
+        """Advances by a step [s] of the central difference; returns the angle. moment [N m]: present sum of all moments except gravity.
 
-        From the first step on `angular_velocity` is that of half a step before `angle`.
+        After the first step `angular_velocity` belongs to half a step before `angle`.
         """
         all_moments = moment + self.state["gravity_moment_Nm"]
         try:
@@ -63,8 +63,8 @@ class Pendulum:
 class Contact:
     """Contact of a rigid sphere, radius [m], with a skin: pressure = stiffness [N/m3] times penetration.
 
-    reference: the skin's stress-free shape; masses [kg] of its nodes and effective_mass [kg] of the sphere go into the frequency;
-    friction [-] of Coulomb.
+    reference: the skin's stress-free shape; masses [kg] of its nodes and effective_mass [kg] of the sphere affect the frequency;
+    friction [-]: Coulomb's coefficient.
     """
 
     __slots__ = ("_handle", "_words", "__weakref__")
@@ -82,7 +82,7 @@ class Contact:
         """node_force_N (n, 3), force_N and couple_Nm on the sphere, energy_J, friction_loss_J (since the last call), area_m2,
         penetration_m, frequency_1_s2 (for the critical step) and deepest_element (-1: none touches) at positions nodes (n, 3) [m].
 
-        Calls belong to successive times: the centre [m] must not cross the skin between two. turn [rad]: of the sphere since the last
-        call, which friction alone feels. DomainError if the sphere goes deeper than half its radius.
+        Calls are successive times: between two of them the centre [m] must not cross the skin. turn [rad]: rotation of the sphere
+        since the last call, used by friction only. DomainError if the sphere sinks in by more than half its radius.
         """
         return _gasjet.contact_evaluate(self._handle, as_points(nodes, "nodes"), centre, turn)

@@ -20,7 +20,7 @@ Table = Dict[str, np.ndarray]
 
 
 class Run:
-    """What a run gave: `history` and `energy`, arrays by column, views that keep the run; `summary` as summary.json.
+    """Results of a run: `history` and `energy`, arrays by column (views that keep the run alive); `summary` as in summary.json.
 
     `warnings`: likely mistakes in the case, and a drift of the energy, as the command prints them.
     """
@@ -39,7 +39,7 @@ class Run:
 
 
 def _toml(value: Any) -> str:
-    """A value of an override."""
+    """The text of an override's value."""
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, (int, np.integer)):
@@ -65,7 +65,7 @@ def _override(key: Any, value: Any) -> str:
 
 
 def _path(given: Any, name: str) -> bytes:
-    """A file or folder as the system has it."""
+    """The bytes of a path."""
     try:
         path = os.fsencode(given)
         if not path:
@@ -77,12 +77,12 @@ def _path(given: Any, name: str) -> bytes:
 
 def run(case: Path, set: Optional[Mapping[str, Any]] = None, out: Optional[Path] = None, threads: int = 1,
         text: Optional[str] = None, progress: Optional[Callable[[float, float], Any]] = None) -> Run:
-    """Runs a case, as the command `gasjet run` does, to the same bits.
+    """Runs a case like the command `gasjet run`, with the same bits.
 
-    case: its file; with `text`, the case itself, the file only names it. set: {"key.path": value}, None takes a key out. out:
+    case: its file; if `text` is given, that is the case, and the file only its name. set: {"key.path": value}, None removes a key. out:
     folder for the command's files. progress(time, end) is called some ten times a second; if it returns True, the run stops.
-    Raises InputError, DomainError or StoppedError; of the last two, of KeyboardInterrupt and of what `progress` raises `.run` is
-    what was computed. Each of the run's warnings is a GasjetWarning.
+    Raises InputError, DomainError or StoppedError. The last two, KeyboardInterrupt and exceptions of `progress` have the
+    results so far in `.run`. Each of the run's warnings is a GasjetWarning.
     """
     if set is not None and not isinstance(set, Mapping):
         raise TypeError(f"set: is a {type(set).__name__}, allowed: a dict")
@@ -116,7 +116,7 @@ def _with_run(error: BaseException, made: Run) -> BaseException:
 
 
 def _in_words(text: str) -> str:
-    """A message of the command with the names that its options have here."""
+    """A message of the command, with options renamed to arguments."""
     text = re.sub(r"^--unset (.*?):", r"set: \1=None:", text)
     return re.sub(r"--(columns|tolerance|map)\b", r"\1", re.sub(r"^--(set|out|columns|tolerance) ", r"\1: ", text))
 
@@ -157,7 +157,7 @@ def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Ma
     """Judges a history by the reference's band.
 
     Either is a CSV file, a Run, or a dict of columns with "time_s". map: file that names a foreign program's columns. columns: names
-    of the quantities to compare; none: all. Gives
+    of the quantities to compare; none: all. Returns
     - verdict (inside, outside or undecided) and reason; mine and reference, what was compared; rows, the number of times;
       runs and reference_runs, if the reference is a mean; format, version and commit of this program;
     - quantities, by name: verdict, reason, max_error and its time, l2_error, relative_error, share_of_band, phase_lag_s, peak,
@@ -182,7 +182,7 @@ def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Ma
 
 
 def _without_file(text: str, folder: str) -> str:
-    """A message of a file in the folder as one of the columns that it was written from."""
+    """A message of a temporary file, in terms of the columns that it was written from."""
 
     def place(found: Any) -> str:
         name, line, column = found.group(1), int(found.group(2) or 0), found.group(3)
@@ -192,7 +192,7 @@ def _without_file(text: str, folder: str) -> str:
 
 
 def _file_of(history: Any, argument: str, folder: str, own_names: bool) -> bytes:
-    """The file of a history; one of a dict is written into the folder, its numbers as they are."""
+    """The file of a history; a dict is written into the folder, with all digits."""
     if isinstance(history, Run):
         history = history.history
     if not isinstance(history, Mapping):
