@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/case_reader.hpp"
+#include "membrane/bag_model.hpp"
 #include "membrane/node_order.hpp"
 #include "mesh/merge.hpp"
 #include "mesh/refine.hpp"
