@@ -10,7 +10,6 @@
 #include "base/formats.hpp"
 #include "base/progress.hpp"
 #include "engine/channel_filter.hpp"
-#include "engine/scene.hpp"
 #include "scene/plausibility.hpp"
 #include "scene/read_bag.hpp"
 #include "scene/read_gas.hpp"
