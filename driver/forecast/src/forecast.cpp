@@ -93,13 +93,15 @@ void add_jet_forces(const Scene& scene, const JetPart& part, const jet::OutletSt
                     const FullState& full, Groups& groups) {
   const jet::JetModel& model = part.field.model();
   const double excess = full.pressure - scene.ambient.pressure, bag = elementary::pow(full.volume, 1.0 / 3.0);
-  const double flux = (1.0 + model.restitution) * outlet.density * outlet.velocity * outlet.velocity;
-  groups.add_size("jet_on_bag" + key_of(part), "K.35",
-                  text_of(part) + "its force over that of the pressure on the bag",
-                  excess > 0.0 ? flux * part.outlet.area / (excess * bag * bag) : INFINITY);
+  const double flux =
+      (1.0 + model.restitution * outlet.reflected) * outlet.density * outlet.velocity * outlet.velocity;
+  groups.add_size(
+      "jet_on_bag" + key_of(part), "K.35", text_of(part) + "its force over that of the pressure on the bag",
+      excess > 0.0 ? flux * part.outlet.area * outlet.area_ratio / (excess * bag * bag) : INFINITY);
   if (!scene.pendulum) return;
   const Eigen::Vector3d impactor = scene.pendulum->model.impactor_centre(scene.pendulum->initial.angle);
-  const double ratio = jet::relative_velocity(model, impactor).dot(model.axis);
+  const double ratio =
+      jet::relative_velocity(jet::widened(model, outlet.area_ratio), impactor).dot(model.axis);
   groups.add_size("jet_on_impactor" + key_of(part), "K.35",
                   text_of(part) + "its force over that of the pressure on the impactor, unhidden",
                   excess > 0.0 ? flux * ratio * ratio / excess : INFINITY);

@@ -21,7 +21,10 @@ struct FieldState {
   std::vector<double> overpressure;  // [Pa] M, dp of each element; 0 off the candidates
   /// Elements inside the jet that face it, within the cut-off; ascending.
   std::vector<int> candidates;
+  double restitution = 1.0;  // [-] e, at first the model's; the caller may change it, in [-0.5, 4]
   double displacement_bound = kMotionUnknown;  // [m] of the last call
+  double size_ratio = 1.0;                     // [-] R or b of the last outlet's jet over R0 or b0
+  double outline_motion = 0.0;                 // [m] sum of how far the cut-off has moved by that
   /// One byte for each group of four elements. A bit is set if the element is inside the jet and can take
   /// load.
   std::vector<std::uint8_t> inside{};
@@ -45,22 +48,24 @@ class JetField {
   /// state.
   std::span<const int> needed(const OutletState& outlet, double displacement_bound, FieldState& state) const;
 
-  /// Computes the overpressure dp = (1 + e) rho0 max(V . n, 0)^2 (J.6), with V at the centroid and n the unit
-  /// vector of the area vector. `area_vectors` [m2] and `centroids` [m] are 3 x M and outward.
+  /// Computes the overpressure dp = (1 + e V0/V) rho max(V . n, 0)^2 (J.6), with V at the centroid, n the
+  /// unit vector of the area vector, and V0/V = outlet.reflected. The jet is as wide as widened() has it.
+  ///  `area_vectors` [m2] and `centroids` [m] are 3 x M and outward.
   ///
   /// A candidate has V . n > 0 and an area > 0. Its centroid lies strictly downstream of the outlet's plane
   /// (z > 0) and within the cut-off. Without flow (density or velocity 0) there is no candidate.
   ///
   /// `velocities` [m/s], 3 x M, are the centroids' velocities; they are used if the model has
-  /// relative_to_skin. Then dp = (1 + e) rho0 max(V . n - v . n, 0)^2, and candidates have V . n > v . n as
-  /// well.
+  /// relative_to_skin. Then dp = (1 + e V0/V) rho max(V . n - v . n, 0)^2, and candidates have V . n > v . n
+  /// as well.
   ///
   /// `displacement_bound` [m] grows between two calls by at least the motion of every centroid. Elements that
   /// cannot have crossed a bound of the jet are then skipped; the results are the same. Without it, and
   /// whenever it decreases, all elements are examined.
   ///
   /// Throws std::invalid_argument for a wrong shape or missing velocities, and DomainError if the outlet's
-  /// velocity or density is negative or not finite, or the overpressure of a candidate is not finite.
+  /// velocity or density is negative or not finite, its ratios are not above 0, the restitution is outside
+  /// [-0.5, 4], or the overpressure of a candidate is not finite.
   void evaluate(const Points& area_vectors, const Points& centroids, const OutletState& outlet,
                 FieldState& state, const Points* velocities = nullptr,
                 double displacement_bound = kMotionUnknown) const;
@@ -68,6 +73,7 @@ class JetField {
  private:
   void take_no_load(int element);
   void require_own(const FieldState& state) const;
+  void widen(const OutletState& outlet, FieldState& state) const;
 
   JetModel model_;
   std::shared_ptr<const JetShape> shape_;  // copies share it
@@ -84,8 +90,9 @@ void apply_mask(std::span<const std::uint8_t> lit, FieldState& state);
 Eigen::Vector3d jet_force(const FieldState& state, const Points& area_vectors);
 
 /// Rate at which a jet relative to the skin damps it, at most (J.9) [1/s]: the largest
-/// 2 sqrt((1 + e) rho0 dp_e) |S_e| / m_e of a candidate; 0 without relative_to_skin. `masses` [kg] are those
-/// of the elements. Throws std::invalid_argument unless there is one area vector and one mass per element.
+/// 2 sqrt((1 + e V0/V) rho dp_e) |S_e| / m_e of a candidate; 0 without relative_to_skin. `masses` [kg] are
+/// those of the elements. Throws std::invalid_argument unless there is one area vector and one mass per
+/// element.
 double damping_rate(const JetModel& model, const OutletState& outlet, const FieldState& state,
                     const Points& area_vectors, std::span<const double> masses);
 

@@ -40,7 +40,8 @@ struct JetModel {
   double cone_half_angle = kMustBeGiven;  // [rad] cone: 0 <= angle < pi/2
 
   Direction direction = Direction::axial;  // direction of the velocity
-  /// [-] e in [0, 1]: 1 is complete reflection, 0 deflection along the surface.
+  /// [-] e in [-0.5, 4], at the start: 1 is complete reflection, 0 deflection along the surface. Beyond 1 the
+  /// gas that circulates in a closed bag pushes as well.
   double restitution = 1.0;
   /// [-] in [0, 1): elements with (V/V_max)^2 below this are not candidates; see momentum_loss.
   double cut_off = 1e-3;
@@ -57,6 +58,9 @@ struct JetModel {
 /// - a size, coefficient or width that is not positive, and a short side longer than the long side,
 /// - a restitution, cut_off or angle out of range.
 JetModel validated(const JetModel& model);
+
+/// The model of a jet whose outlet has `area_ratio` times the area: a larger radius, or a larger short side.
+JetModel widened(const JetModel& model, double area_ratio);
 
 /// Area of the outlet [m2], pi R0^2 or 2 b0 L.
 double outlet_area(const JetModel& model);

@@ -44,8 +44,8 @@ class Subdivision {
   void share_areas(const Points& area_vectors, Eigen::Matrix3Xd& result) const;
 
   /// Field of the elements from the field of the pieces. The overpressure is averaged; an element is a
-  /// candidate if one of its pieces is. Throws std::invalid_argument if a state has another number of
-  /// elements or pieces.
+  /// candidate if one of its pieces is. The restitution is that of the pieces. Throws std::invalid_argument
+  /// if a state has another number of elements or pieces.
   void average(const FieldState& pieces, FieldState& elements) const;
 
  private:

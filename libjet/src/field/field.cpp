@@ -57,10 +57,28 @@ void move(double displacement_bound, FieldState& state) {
   state.displacement_bound = displacement_bound;
 }
 
-void check_outlet(const OutletState& outlet) {
+void check_outlet(const OutletState& outlet, double restitution) {
   for (const auto& [name, value] :
        {std::pair{"jet outlet velocity", outlet.velocity}, std::pair{"jet outlet density", outlet.density}})
     if (!(value >= 0.0 && std::isfinite(value))) refuse_value<DomainError>(name, value, "finite and >= 0");
+  for (const auto& [name, value] : {std::pair{"jet outlet area_ratio", outlet.area_ratio},
+                                    std::pair{"jet outlet reflected", outlet.reflected}})
+    if (!(value > 0.0 && std::isfinite(value))) refuse_value<DomainError>(name, value, "finite and > 0");
+  if (!(restitution >= kLeastRestitution && restitution <= kMostRestitution))
+    refuse_value<DomainError>("jet restitution", restitution, kRestitutionRange);
+}
+
+double reflection(const OutletState& outlet, double restitution) {
+  return 1.0 + restitution * outlet.reflected;
+}
+
+// The jet of an outlet that is `ratio` times as large: similar, with the same angles.
+JetShape resized(const JetShape& shape, double ratio) {
+  JetShape result = shape;
+  for (double* length :
+       {&result.size, &result.origin, &result.cone_width, &result.cut_core, &result.cut_origin})
+    *length *= ratio;
+  return result;
 }
 
 bool no_flow(const OutletState& outlet) {
@@ -105,6 +123,15 @@ JetField::JetField(const JetModel& model, int element_count, std::span<const int
   shape_ = std::make_unique<const JetShape>(shape);
 }
 
+// No bound of the cut-off moves by more than this when the jet becomes wider or narrower.
+void JetField::widen(const OutletState& outlet, FieldState& state) const {
+  const double ratio = shape_->round ? std::sqrt(outlet.area_ratio) : outlet.area_ratio;
+  if (ratio == state.size_ratio) return;
+  state.outline_motion +=
+      std::max(shape_->cut_core, std::abs(shape_->cut_origin)) * std::abs(ratio - state.size_ratio);
+  state.size_ratio = ratio;
+}
+
 void JetField::take_no_load(int element) {
   auto& group = loaded_[static_cast<std::size_t>(element / 4)];
   group = static_cast<std::uint8_t>(group & ~(1 << element % 4));
@@ -115,6 +142,7 @@ FieldState JetField::make_state() const {
   state.overpressure.assign(static_cast<std::size_t>(element_count_), 0.0);
   state.candidates.reserve(static_cast<std::size_t>(element_count_));
   state.selected.resize(static_cast<std::size_t>(element_count_) + kRoom);
+  state.restitution = model_.restitution;
   state.slack.assign(slack_size(element_count_), -HUGE_VAL);
   state.inside.assign(slack_size(element_count_), 0);
   return state;
@@ -133,9 +161,10 @@ std::span<const int> JetField::needed(const OutletState& outlet, double displace
   require_own(state);
   move(displacement_bound, state);
   if (no_flow(outlet)) return {};
+  widen(outlet, state);
   FieldArrays arrays{};
   arrays.count = element_count_;
-  arrays.displacement_bound = displacement_bound;
+  arrays.displacement_bound = displacement_bound + state.outline_motion;
   arrays.slack = state.slack.data();
   arrays.inside = state.inside.data();
   return std::span(state.selected)
@@ -151,8 +180,9 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   require_own(state);
   for (const int element : state.candidates) state.overpressure[static_cast<std::size_t>(element)] = 0.0;
   state.candidates.clear();
-  check_outlet(outlet);
+  check_outlet(outlet, state.restitution);
   if (no_flow(outlet)) return;
+  widen(outlet, state);
   FieldArrays arrays{};
   arrays.area_vectors = rows(area_vectors);
   arrays.centroids = rows(centroids);
@@ -160,15 +190,16 @@ void JetField::evaluate(const Points& area_vectors, const Points& centroids, con
   if (model_.relative_to_skin) arrays.velocities = rows(*velocities);
   arrays.loaded = loaded_.data();
   arrays.count = element_count_;
-  arrays.displacement_bound = displacement_bound;
+  arrays.displacement_bound = displacement_bound + state.outline_motion;
   arrays.slack = state.slack.data();
   arrays.inside = state.inside.data();
   arrays.velocity = outlet.velocity;
-  arrays.factor = (1.0 + model_.restitution) * outlet.density;
+  arrays.factor = reflection(outlet, state.restitution) * outlet.density;
   arrays.overpressure = state.overpressure.data();
   arrays.candidates = state.selected.data();
   const KernelTable& kernels = kernel_table();
-  const int count = kernels.evaluate(*shape_, arrays, kernels.select(*shape_, arrays));
+  const JetShape shape = resized(*shape_, state.size_ratio);
+  const int count = kernels.evaluate(shape, arrays, kernels.select(shape, arrays));
   if (count < 0) {
     std::fill(state.overpressure.begin(), state.overpressure.end(), 0.0);  // some may already be set
     refuse_overpressure(-1 - count);
@@ -205,7 +236,7 @@ double damping_rate(const JetModel& model, const OutletState& outlet, const Fiel
   require_columns("area_vectors", area_vectors.cols(), elements);
   require_columns("masses", static_cast<Eigen::Index>(masses.size()), elements);
   if (!model.relative_to_skin) return 0.0;
-  const double factor = (1.0 + model.restitution) * outlet.density;
+  const double factor = reflection(outlet, state.restitution) * outlet.density;
   double largest = 0.0;
   for (const int element : state.candidates) {
     const auto e = static_cast<std::size_t>(element);

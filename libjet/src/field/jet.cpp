@@ -63,8 +63,9 @@ void check_options(const JetModel& model) {
     require_positive("cone_initial_width", model.cone_initial_width);
     require_range("cone_half_angle", angle, angle >= 0.0 && angle < 0.5 * std::numbers::pi, "[0, pi/2) rad");
   }
-  require_range("restitution", model.restitution, model.restitution >= 0.0 && model.restitution <= 1.0,
-                "[0, 1]");
+  require_range("restitution", model.restitution,
+                model.restitution >= kLeastRestitution && model.restitution <= kMostRestitution,
+                kRestitutionRange);
   require_range("cut_off", model.cut_off, model.cut_off >= 0.0 && model.cut_off < 1.0, "[0, 1)");
 }
 
@@ -91,6 +92,13 @@ JetModel validated(const JetModel& model) {
     require_range("long_direction . axis", cosine, std::abs(cosine) <= 1e-9,
                   "perpendicular (|cosine| <= 1e-9)");
   }
+  return result;
+}
+
+JetModel widened(const JetModel& model, double area_ratio) {
+  JetModel result = model;
+  result.radius *= std::sqrt(area_ratio);
+  result.short_side *= area_ratio;
   return result;
 }
 

@@ -21,7 +21,7 @@ void check(const OutletModel& model, const OutletInput& input) {
   if (!(input.cp > input.gas_constant) || !std::isfinite(input.cp)) {
     refuse_value<DomainError>("outlet cp", input.cp, "finite and > gas_constant");
   }
-  if (model.law == OutletLaw::pressure_matched) check_positive("outlet bag_pressure", input.bag_pressure);
+  if (model.law != OutletLaw::sonic) check_positive("outlet bag_pressure", input.bag_pressure);
 }
 
 OutletState sonic_state(const OutletModel& model, const OutletInput& input) {
@@ -47,32 +47,47 @@ OutletState subsonic_state(const OutletModel& model, const OutletInput& input) {
   return state;
 }
 
+// The notional nozzle (J.12). T > T_s / gamma^2, its value far above bag pressure.
+OutletState expanded_state(const OutletModel& model, const OutletInput& input, const OutletState& sonic) {
+  OutletState state;
+  state.velocity = sonic.velocity + (sonic.pressure - input.bag_pressure) * model.area / input.mass_flow;
+  state.temperature = input.temperature - state.velocity * state.velocity / (2.0 * input.cp);
+  state.pressure = input.bag_pressure;
+  state.density = state.pressure / (input.gas_constant * state.temperature);
+  state.area_ratio = input.mass_flow / (state.density * state.velocity * model.area);
+  state.reflected = sonic.velocity / state.velocity;
+  return state;
+}
+
 }  // namespace
 
 void validate(const OutletModel& model) {
   if (!(model.area > 0.0) || !std::isfinite(model.area)) {
     refuse_value("outlet area", model.area, "finite and > 0 [m2]");
   }
-  if (model.law != OutletLaw::sonic && model.law != OutletLaw::pressure_matched)
+  if (model.law != OutletLaw::sonic && model.law != OutletLaw::pressure_matched &&
+      model.law != OutletLaw::expanded)
     refuse_value("outlet law", static_cast<double>(model.law), "an enumerator");
   if (model.temperature != OutletTemperature::static_value &&
       model.temperature != OutletTemperature::stagnation)
     refuse_value("outlet temperature", static_cast<double>(model.temperature), "an enumerator");
-  if (model.law == OutletLaw::pressure_matched && model.temperature != OutletTemperature::stagnation) {
+  if (model.law != OutletLaw::sonic && model.temperature != OutletTemperature::stagnation) {
     throw std::invalid_argument(
-        "outlet temperature is static, allowed with the pressure-matched outlet: stagnation");
+        "outlet temperature is static, allowed with the pressure-matched or expanded outlet: stagnation");
   }
 }
 
 OutletState outlet_state(const OutletModel& model, const OutletInput& input) {
   check(model, input);
   const OutletState sonic = sonic_state(model, input);
-  const bool choked = model.law == OutletLaw::sonic || sonic.pressure >= input.bag_pressure;
-  return choked ? sonic : subsonic_state(model, input);
+  if (model.law == OutletLaw::sonic) return sonic;
+  if (sonic.pressure < input.bag_pressure) return subsonic_state(model, input);
+  const bool expands = model.law == OutletLaw::expanded && sonic.pressure > input.bag_pressure;
+  return expands ? expanded_state(model, input, sonic) : sonic;
 }
 
 double momentum_flux(const OutletState& state, double area) {
-  return state.density * state.velocity * state.velocity * area;
+  return state.density * state.velocity * state.velocity * area * state.area_ratio;
 }
 
 }  // namespace jet

@@ -148,6 +148,7 @@ void Subdivision::average(const FieldState& pieces, FieldState& elements) const 
         pieces.overpressure[static_cast<std::size_t>(piece)];
   }
   for (const int e : elements.candidates) elements.overpressure[static_cast<std::size_t>(e)] /= pieces_;
+  elements.restitution = pieces.restitution;
 }
 
 void corner_means(const Points& values, const Triangles& triangles, Eigen::Matrix3Xd& result) {

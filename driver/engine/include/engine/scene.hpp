@@ -75,6 +75,7 @@ struct JetPart {
   std::optional<jet::Subdivision> pieces;
   jet::JetField field;
   jet::OutletModel outlet;
+  std::optional<gas::Curve> restitution;  // [-] over injected by contained mass; else the field's
   jet::SurfaceRoles roles;
   std::shared_ptr<const jet::VisibilityQuery> query;  // each run has another one of it
   bool occlusion = true;

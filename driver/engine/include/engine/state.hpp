@@ -104,7 +104,7 @@ struct JetRun {
   jet::VisibilityCounters counters;                 // S7, of this step
   jet::VisibilityCounters total;                    // S7, of the run
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // S7 [N]
-  double thrust_change = 0.0;  // S5, over the thrust of the call before; 0 if there was none
+  double load_change = 0.0;  // S5, load on a plate over that of the call before; 0 if there was none
   /// S5 [s] Firing of its inflator, as far as it was known when the kick began.
   double firing = std::numeric_limits<double>::infinity();
 };

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "jet/centreline.hpp"
+#include "scene/gas_curve.hpp"
 #include "scene/outlet_place.hpp"
 
 namespace driver {
@@ -25,6 +26,7 @@ const Bounds round_or_type{positive.low, positive.high, true,
                   "a number above 0 (0.09 to 0.16 are usual), or outlet_type = \"plane_nozzle\", "
                   "\"sharp_slot\" or \"rounded_slot\","};
 const Bounds below_one{0.0, std::nextafter(1.0, 0.0), false, "a number from 0 to below 1"};
+const Bounds restitution_range{-0.5, 4.0, false, "a number from -0.5 to 4"};
 const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false, "0 to below pi/2",
                                "rad"};
 
@@ -73,27 +75,49 @@ jet::JetModel read_model(TableReader& table) {
   model.direction = table.at("direction")
                         .choice<jet::Direction>(
                             {{"axial", jet::Direction::axial}, {"radial", jet::Direction::radial}}, "axial");
-  model.restitution = table.at("restitution").number(fraction, 1.0);
   model.cut_off = table.at("cut_off").number(below_one, model.cut_off);
   model.relative_to_skin = table.at("relative_to_skin").flag(false);
   return model;
 }
 
+// A number goes to the model; a curve is returned, with its first value in the model.
+std::optional<gas::Curve> read_restitution(TableReader& table, bool has_volume, jet::JetModel& model) {
+  if (!table.has("restitution")) {
+    table.at("restitution").number(restitution_range, model.restitution);
+    return {};
+  }
+  const gas::Curve curve =
+      to_gas_curve(table.at("restitution").curve(restitution_range, "mass_ratio"), gas::Outside::held);
+  model.restitution = curve.value(0.0);
+  if (curve.is_constant()) return {};
+  if (!has_volume)
+    table.fail("restitution",
+               "is a curve over injected by contained mass, but the scene has no volume of gas; a number is "
+               "allowed");
+  return curve;
+}
+
 jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
   jet::OutletModel outlet;
-  outlet.law = table.at("outlet").choice<jet::OutletLaw>(
-      {{"sonic", jet::OutletLaw::sonic}, {"pressure_matched", jet::OutletLaw::pressure_matched}}, "sonic");
+  outlet.law =
+      table.at("outlet").choice<jet::OutletLaw>({{"sonic", jet::OutletLaw::sonic},
+                                                 {"pressure_matched", jet::OutletLaw::pressure_matched},
+                                                 {"expanded", jet::OutletLaw::expanded}},
+                                                "sonic");
+  if (outlet.law == jet::OutletLaw::expanded && model.spread == jet::Spread::cone)
+    table.fail("spread",
+               "is \"cone\", whose force is not the outlet's momentum; with outlet = \"expanded\" "
+               "\"momentum\" is allowed");
   outlet.temperature =
       table.at("temperature")
           .choice<jet::OutletTemperature>({{"static", jet::OutletTemperature::static_value},
                                            {"stagnation", jet::OutletTemperature::stagnation}},
                                           "static");
-  if (outlet.law == jet::OutletLaw::pressure_matched &&
-      outlet.temperature == jet::OutletTemperature::static_value)
+  if (outlet.law != jet::OutletLaw::sonic && outlet.temperature == jet::OutletTemperature::static_value)
     table.fail(
         "temperature",
-        "is \"static\", the default; with outlet = \"pressure_matched\" \"stagnation\" is allowed: the "
-        "inflator's temperature is then that of the gas at rest");
+        "is \"static\", the default; with outlet = \"pressure_matched\" or \"expanded\" \"stagnation\" is "
+        "allowed: the inflator's temperature is then that of the gas at rest");
   outlet.area = jet::outlet_area(model);
   if (!(outlet.area > 0.0 && std::isfinite(outlet.area)))
     table.fail(model.shape == jet::OutletShape::round ? "radius" : "short_side",
@@ -148,6 +172,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
   if (!table) return;
   if (!scene.bag && !scene.target) table->fail("", "needs something to blow at: [membrane] or [target]");
   jet::JetModel model = read_model(*table);
+  std::optional<gas::Curve> restitution = read_restitution(*table, scene.bag.has_value(), model);
   table->located("", [&] { model = jet::validated(model); });
   const std::vector<int> attachment = attachment_elements(*table, scene);
   const std::vector<int> null_elements = scene.bag ? scene.bag->null_elements : std::vector<int>{};
@@ -166,8 +191,8 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     jet::JetField field(model, static_cast<int>(seen.cols()), roles.null_elements);
     auto query = std::make_shared<const jet::VisibilityQuery>(
         seen, pieces ? pieces->node_count() : static_cast<int>(nodes.cols()), roles);
-    scene.jets.push_back(
-        JetPart{index, std::move(pieces), std::move(field), outlet, std::move(roles), std::move(query)});
+    scene.jets.push_back(JetPart{index, std::move(pieces), std::move(field), outlet, std::move(restitution),
+                                 std::move(roles), std::move(query)});
   });
   JetPart& part = scene.jets.back();
   part.occlusion = table->at("occlusion").flag(true);

@@ -37,9 +37,10 @@ class OutletIntegral {
   // Over a kick of `length` [s] after which the inflator has burnt for `since` [s].
   jet::OutletState mean(double length, double since) const {
     if (!(mass_ > 0.0)) return at_rest(since);
-    const double velocity = thrust_ / mass_;
-    return {velocity, mass_ / (length * part_.outlet.area * velocity), pressure_ / mass_,
-            temperature_ / mass_};
+    const double velocity = thrust_ / mass_, area_ratio = area_ratio_ / mass_;
+    return {velocity,          mass_ / (length * part_.outlet.area * velocity * area_ratio),
+            pressure_ / mass_, temperature_ / mass_,
+            area_ratio,        reflected_ / thrust_};
   }
 
   jet::OutletState at(double since, Side side = Side::after) const { return state(point(since, side)); }
@@ -49,10 +50,11 @@ class OutletIntegral {
     return gas::inflator_point_since_firing(scene_.gas->model, part_.inflator, since, side);
   }
 
-  jet::OutletState state(const gas::InflatorPoint& gas) const {
-    return jet::outlet_state(part_.outlet,
+  jet::OutletState state(const jet::OutletModel& outlet, const gas::InflatorPoint& gas) const {
+    return jet::outlet_state(outlet,
                              {gas.mass_flow, gas.temperature, gas.cp, gas.gas_constant, bag_pressure_});
   }
+  jet::OutletState state(const gas::InflatorPoint& gas) const { return state(part_.outlet, gas); }
 
   jet::OutletState at_rest(double since) const {
     gas::InflatorPoint gas = point(since);
@@ -61,13 +63,14 @@ class OutletIntegral {
   }
 
   bool choked(double since, Side side = Side::after) const {
-    const jet::OutletState outlet = at(since, side);
-    return outlet.pressure > bag_pressure_;
+    jet::OutletModel sonic = part_.outlet;
+    sonic.law = jet::OutletLaw::sonic;
+    return state(sonic, point(since, side)).pressure > bag_pressure_;
   }
 
   // Where an outlet that matches the bag's pressure chokes or unchokes, its velocity has a corner.
   void add_piece(double a, double b) {
-    if (part_.outlet.law != jet::OutletLaw::pressure_matched || choked(a) == choked(b, Side::before))
+    if (part_.outlet.law == jet::OutletLaw::sonic || choked(a) == choked(b, Side::before))
       return add_smooth(a, b);
     const bool first = choked(a);
     double low = a, high = b;
@@ -101,12 +104,15 @@ class OutletIntegral {
     thrust_ += mass * outlet.velocity;
     pressure_ += mass * outlet.pressure;
     temperature_ += mass * outlet.temperature;
+    area_ratio_ += mass * outlet.area_ratio;
+    reflected_ += mass * outlet.velocity * outlet.reflected;
   }
 
   const Scene& scene_;
   const JetPart& part_;
   double bag_pressure_;
-  double mass_ = 0.0, thrust_ = 0.0;           // [kg], [N s]
+  double mass_ = 0.0, area_ratio_ = 0.0;       // [kg]
+  double thrust_ = 0.0, reflected_ = 0.0;      // [N s]
   double pressure_ = 0.0, temperature_ = 0.0;  // [kg Pa], [kg K]
 };
 

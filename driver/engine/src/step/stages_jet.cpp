@@ -76,6 +76,21 @@ void mask(const JetPart& part, const jet::Points& nodes, double displacement_bou
   jet::apply_mask(lit, run.field);
 }
 
+// Change of a jet's load on a plate, (1 + e V0/V) rho V^2 A, between two outlets; 0 if there was none.
+double load_change(const jet::OutletState& before, const jet::OutletState& now, double restitution,
+                   double area) {
+  const double thrust = jet::momentum_flux(before, area);
+  if (!(thrust > 0.0)) return 0.0;
+  return jet::momentum_flux(now, area) / thrust *
+         ((1.0 + restitution * now.reflected) / (1.0 + restitution * before.reflected));
+}
+
+double restitution(const JetPart& part, const State& state) {
+  if (!part.restitution) return part.field.model().restitution;
+  const double injected = state.flows.mass_in, contained = state.gas_point.mass;
+  return part.restitution->value(contained > 0.0 ? injected / contained : 0.0);
+}
+
 double firing_time(const Scene& scene, const State& state, const JetPart& part) {
   return gas::firing_time(scene.gas->model.inflows[part.inflator], state.gas.triggers);
 }
@@ -94,9 +109,10 @@ void outlets(const Scene& scene, State& state) {
         std::isfinite(state.jets[j].firing) ? state.step.kick_begin : std::min(state.step.kick_begin, firing);
     const jet::OutletState outlet = mean_outlet(
         scene, part, {begin - firing, state.step.kick_end - firing, kick_length(state.step)}, pressure);
-    const double thrust = jet::momentum_flux(state.jets[j].outlet, part.outlet.area);
-    state.jets[j].thrust_change = thrust > 0.0 ? jet::momentum_flux(outlet, part.outlet.area) / thrust : 0.0;
-    state.jets[j].outlet = outlet;
+    JetRun& run = state.jets[j];
+    run.field.restitution = restitution(part, state);
+    run.load_change = load_change(run.outlet, outlet, run.field.restitution, part.outlet.area);
+    run.outlet = outlet;
   }
 }
 
@@ -134,13 +150,13 @@ bool jets_damp(const Scene& scene) {
 }
 
 bool rescale_jets(State& state) {
-  if (std::ranges::any_of(state.jets, [](const JetRun& run) { return !(run.thrust_change > 0.0); }))
+  if (std::ranges::any_of(state.jets, [](const JetRun& run) { return !(run.load_change > 0.0); }))
     return false;
   for (JetRun& run : state.jets) {
     jet::FieldState& load = run.elements.overpressure.empty() ? run.field : run.elements;
     for (const int element : load.candidates)
-      load.overpressure[static_cast<std::size_t>(element)] *= run.thrust_change;
-    run.force *= run.thrust_change;
+      load.overpressure[static_cast<std::size_t>(element)] *= run.load_change;
+    run.force *= run.load_change;
   }
   return true;
 }
