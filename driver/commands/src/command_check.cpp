@@ -14,6 +14,7 @@
 #include "engine/supply.hpp"
 #include "forecast/check_json.hpp"
 #include "forecast/jet_peak.hpp"
+#include "forecast/jet_push.hpp"
 #include "gas/orifice.hpp"
 #include "results/load_scene.hpp"
 #include "results/skin_checks.hpp"
@@ -120,6 +121,35 @@ void print_inflators(const Scene& scene) {
   }
 }
 
+// What the load rests on, beside what the model makes of it.
+void print_push(const Scene& scene, const JetPart& part) {
+  const JetPush push = jet_push(scene, part);
+  const jet::JetModel& model = part.field.model();
+  fmt::print(
+      "  load on a plate {:.4g} N by the model; in free air {:.4g} N, of mdot V0 = {:.4g} N and (pe - pa) A "
+      "= "
+      "{:.4g} N at pe/pa = {:.3g} (outlet = \"expanded\" with restitution = 0 is that)\n",
+      push.load, push.thrust, push.momentum, push.thrust - push.momentum, push.pressure_ratio);
+  if (!scene.bag) return;
+  const RestitutionRange range = restitution_range(scene, model);
+  fmt::print(
+      "  restitution {:.3g}{}; computed for bags {} than wide (this one: {:.2g} of its width): {} to {}, "
+      "first "
+      "passes of the jet lowest\n",
+      model.restitution,
+      part.restitution           ? " at the start"
+      : model.restitution == 1.0 ? ", the paper's"
+                                 : "",
+      range.deep ? "deeper" : "less deep", range.depth_over_width, range.low, range.high);
+  if (part.outlet.temperature == jet::OutletTemperature::stagnation) return;
+  const MissingEnergy missing = missing_energy(scene, part);
+  fmt::print(
+      "  temperature = \"static\" lets gas in without its V0^2/2, in all {:.3g} J: up to {:.3g} Pa in the "
+      "bag "
+      "as sewn; \"stagnation\" at {:.4g} K is the same outlet with it\n",
+      missing.energy, missing.pressure, missing.temperature);
+}
+
 void print_jet(const Scene& scene, const JetPart& part) {
   const JetPeak peak = jet_peak(scene, part);
   const jet::JetModel& model = part.field.model();
@@ -127,8 +157,12 @@ void print_jet(const Scene& scene, const JetPart& part) {
       "jet of inflator {}: at its peak ({}) V0 = {:.5g} m/s, rho0 = {:.4g} kg/m3, outlet pressure "
       "{:.4g} Pa ({}), momentum {:.4g} N; cut-off loses {:.2g} of it\n",
       part.inflator, peak_text(scene, part.inflator, peak.time), peak.outlet.velocity, peak.outlet.density,
-      peak.outlet.pressure, peak.outlet.pressure > scene.ambient.pressure ? "choked" : "not choked",
+      peak.outlet.pressure, peak.sonic_pressure > scene.ambient.pressure ? "choked" : "not choked",
       jet::momentum_flux(peak.outlet, part.outlet.area), jet::momentum_loss(model));
+  if (peak.outlet.area_ratio != 1.0)
+    fmt::print("  that is its notional nozzle, {:.3g} times the outlet's area (J.12)\n",
+               peak.outlet.area_ratio);
+  if (peak.mass_flow > 0.0) print_push(scene, part);
 }
 
 void print_forecast(const Forecast& f) {

@@ -11,6 +11,7 @@
 #include "engine/stages.hpp"
 #include "engine/supply.hpp"
 #include "forecast/jet_peak.hpp"
+#include "forecast/jet_push.hpp"
 #include "membrane/time_step.hpp"
 
 namespace driver {
@@ -123,13 +124,27 @@ Json jets_of(const Scene& scene) {
   Json jets = Json::array();
   for (const auto& part : scene.jets) {
     const JetPeak peak = jet_peak(scene, part);
+    const JetPush push = jet_push(scene, part);
     jets.push_back({{"inflator_number", part.inflator},
                     {"peak_time_s", peak.time},
                     {"peak_velocity_m_s", peak.outlet.velocity},
                     {"peak_density_kg_m3", peak.outlet.density},
                     {"peak_outlet_pressure_Pa", peak.outlet.pressure},
                     {"peak_momentum_N", jet::momentum_flux(peak.outlet, part.outlet.area)},
+                    {"peak_area_ratio", peak.outlet.area_ratio},
+                    {"peak_pressure_ratio",
+                     std::isfinite(push.pressure_ratio) ? Json(push.pressure_ratio) : Json(nullptr)},
+                    {"peak_outlet_momentum_N", push.momentum},
+                    {"peak_thrust_N", push.thrust},
+                    {"peak_plate_load_N", push.load},
                     {"cut_off_loss", jet::momentum_loss(part.field.model())}});
+    if (!scene.bag) continue;
+    const RestitutionRange range = restitution_range(scene, part.field.model());
+    jets.back().update({{"depth_over_width", range.depth_over_width},
+                        {"restitution_low", range.low},
+                        {"restitution_high", range.high}});
+    if (part.outlet.temperature == jet::OutletTemperature::static_value)
+      jets.back()["missing_pressure_Pa"] = missing_energy(scene, part).pressure;
   }
   return jets;
 }

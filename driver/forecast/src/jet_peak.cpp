@@ -35,6 +35,26 @@ void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::st
         part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
 }
 
+jet::OutletModel sonic(jet::OutletModel model) {
+  model.law = jet::OutletLaw::sonic;
+  return model;
+}
+
+void warn_of_restitution(const JetPart& part, std::vector<std::string>& warnings) {
+  double low = part.field.model().restitution, high = low;
+  if (part.restitution)
+    for (const auto& knot : part.restitution->knots()) {
+      low = std::min(low, knot.value);
+      high = std::max(high, knot.value);
+    }
+  const double outside = high > 1.0 ? high : low;
+  if (low < 0.0 || high > 1.0)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: restitution = {:.3g}: a plate in free air has 0, the paper 1; values below 0 or "
+        "above 1 were computed for closed bags only (docs/theory/jet_push.md)",
+        part.inflator, outside));
+}
+
 // Distance [m] that the jet has to cover.
 double way(const Scene& scene, const jet::JetModel& model) {
   const auto along = [&](const Eigen::Matrix3Xd& nodes) {
@@ -106,9 +126,10 @@ double cone_gain(const jet::JetModel& cone, double distance) {
 
 JetPeak jet_peak(const Scene& scene, const JetPart& part) {
   const auto [time, point] = inflator_peak(scene, part.inflator);
-  return {time, point.mass_flow,
-          jet::outlet_state(part.outlet, {point.mass_flow, point.temperature, point.cp, point.gas_constant,
-                                          scene.ambient.pressure})};
+  const jet::OutletInput input{point.mass_flow, point.temperature, point.cp, point.gas_constant,
+                               scene.ambient.pressure};
+  return {time, point.mass_flow, jet::outlet_state(part.outlet, input),
+          jet::outlet_state(sonic(part.outlet), input).pressure};
 }
 
 double below_sonic_share(const Scene& scene, const JetPart& part) {
@@ -117,15 +138,14 @@ double below_sonic_share(const Scene& scene, const JetPart& part) {
   const double end =
       std::min(duration(scene, inflow),
                inflow.mass_flow.is_constant() ? INFINITY : inflow.mass_flow.knots().back().time);
-  jet::OutletModel sonic = part.outlet;
-  sonic.law = jet::OutletLaw::sonic;
+  const jet::OutletModel outlet_model = sonic(part.outlet);
   double all = 0.0, below = 0.0;
   for (int i = 0; i < pieces && end > 0.0; ++i) {
     const auto point =
         gas::inflator_point(scene.gas->model, part.inflator, inflow.start_time + end * (i + 0.5) / pieces);
     if (!(point.mass_flow > 0.0)) continue;
-    const auto outlet = jet::outlet_state(
-        sonic, {point.mass_flow, point.temperature, point.cp, point.gas_constant, scene.ambient.pressure});
+    const auto outlet = jet::outlet_state(outlet_model, {point.mass_flow, point.temperature, point.cp,
+                                                         point.gas_constant, scene.ambient.pressure});
     all += point.mass_flow;
     if (outlet.pressure < scene.ambient.pressure) below += point.mass_flow;
   }
@@ -137,6 +157,7 @@ void add_jet_warnings(Scene& scene) {
   for (const JetPart& part : scene.jets) {
     warn_of_outlet(scene, part, warnings);
     warn_of_cone(scene, part, warnings);
+    warn_of_restitution(part, warnings);
     if (scene.bag) warn_of_rays(scene, part, warnings);
   }
   if (scene.bag && !scene.jets.empty()) warn_of_free_bag(scene, warnings);

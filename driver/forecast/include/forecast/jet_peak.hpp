@@ -10,6 +10,7 @@ struct JetPeak {
   double time = 0.0;       // [s]
   double mass_flow = 0.0;  // [kg/s]
   jet::OutletState outlet;
+  double sonic_pressure = 0.0;  // [Pa] pe, of a sonic outlet whatever the law
 };
 
 /// The outlet at the inflator's greatest mass flow up to the scene's end (0 if it begins later), with ambient
