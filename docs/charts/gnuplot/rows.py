@@ -107,23 +107,24 @@ def distances(rows, friction, outlet):
             yield row["centre to plate"], difference * DEGREES, 2 * error * DEGREES
 
 
-def tornado(rows):
-    """label, lower and upper difference in degrees, their standard errors, the texts of both ends, of a study with the levels
-    `INPUT: END` and `as shipped`: the first for the scene as shipped, then the widest first. An input with one END goes from as
-    shipped to it, and has no text there."""
+def tornado(rows, scene):
+    """label, lower and upper difference in degrees, their standard errors, the texts of both ends, kind (1 input, 2 model,
+    3 numerics), of a scene of a study with the changes `KIND, NAME: END` and `as shipped`: the first for the scene as shipped,
+    then the widest first. Each goes from as shipped to its ends; the text is that of an end alone."""
     ends, shipped = {}, None
-    for row in rows:
-        if row["quantity"] != "final_angle_rad" or not row["difference"]:
+    for row in chosen(rows, f"scene={scene}", "quantity=final_angle_rad"):
+        if not row["difference"]:
             continue
-        name, _, text = row["input"].partition(": ")
+        name, _, text = row["change"].partition(": ")
         end = (*(DEGREES * value for value in numbers(row, "difference", "difference_standard_error")), text)
         if name == "as shipped":
-            shipped = end
+            shipped = (*end[:2], "")
         else:
             ends.setdefault(name, []).append(end)
     bars = {name: (min(values + [shipped]), max(values + [shipped])) for name, values in ends.items()}
-    for name, (low, high) in [("as shipped", (shipped, shipped)), *sorted(bars.items(), key=lambda bar: bar[1][0][0] - bar[1][1][0])]:
-        yield name, low[0], high[0], low[1], high[1], low[2], high[2]
+    for name, (low, high) in [("input, as shipped", (shipped, shipped)), *sorted(bars.items(), key=lambda bar: bar[1][0][0] - bar[1][1][0])]:
+        kind, _, label = name.partition(", ")
+        yield label, low[0], high[0], low[1], high[1], low[2], high[2], 1 + ["input", "model", "numerics"].index(kind)
 
 
 KINDS = {kind.__name__: kind for kind in (where, rising, cell, work_precision, convergence, effects, ladder, sobol,
