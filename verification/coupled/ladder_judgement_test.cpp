@@ -2,6 +2,7 @@
 // What a ladder makes of values and costs that are given.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "many_runs/ladder.hpp"
@@ -67,6 +68,38 @@ LadderResult two_rungs(int runs_of_full, int runs_of_other) {
     result.rungs.push_back(rung);
   }
   return result;
+}
+
+// An assumption of the model moves the full case by `change`; it is as cheap as can be.
+LadderResult with_assumption(double change) {
+  LadderResult result = two_rungs(16, 16);
+  result.plan.axes.push_back({"reflection", driver::AxisKind::model, {{"as it is", {}}, {"none", {}}}, 0, 0});
+  LadderRung rung = result.rungs.front();
+  rung.name = "none";
+  rung.axis = 0;
+  rung.choice = 1;
+  rung.value.mean += change;
+  rung.cpu_seconds = 0.1;
+  result.rungs.push_back(rung);
+  return result;
+}
+
+TEST(ladder, assumptions_are_not_judged_but_say_whether_the_verdict_stands) {
+  for (const double change : {-0.3, -0.05, 0.02, 0.3}) {
+    LadderResult result = with_assumption(change);
+    driver::judge(result, 0.1);
+    EXPECT_EQ(result.cheapest, std::optional<std::size_t>(1)) << "not the assumption, which is cheaper";
+    EXPECT_EQ(result.rungs[2].verdict, Verdict::not_judged);
+    EXPECT_EQ(result.rungs[2].front, 0);
+    ASSERT_TRUE(result.model.has_value());
+    EXPECT_NEAR(result.model->low, std::min(change, 0.0), 1e-15);
+    EXPECT_NEAR(result.model->high, std::max(change, 0.0), 1e-15);
+    EXPECT_EQ(change < 0.0 ? result.model->lowest : result.model->highest, "none");
+    EXPECT_EQ(result.model->cheapest_stands, std::abs(change) < 0.1);
+  }
+  LadderResult without = two_rungs(16, 16);
+  driver::judge(without, 0.1);
+  EXPECT_FALSE(without.model.has_value());
 }
 
 TEST(ladder, judgement_names_the_cheaper_and_needs_runs_of_both) {

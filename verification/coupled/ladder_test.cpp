@@ -136,8 +136,8 @@ TEST(ladder, free_bag_needs_no_jet_for_its_pressure) {
   const Texts small{"membrane.mesh.levels=2"};
   const auto options = options_of("pressure", 0.1);
   auto result = driver::run_ladder(case_file("jet_bag"), small, options);
-  EXPECT_EQ(axis_names(result),
-            (Texts{"jet", "occlusion", "outlet", "cp", "compression", "pieces", "mesh", "step", "gas"}));
+  EXPECT_EQ(axis_names(result), (Texts{"jet", "occlusion", "outlet", "cp", "compression", "reflection",
+                                       "expansion", "direction", "pieces", "mesh", "step", "gas"}));
   EXPECT_FALSE(result.chaotic);
   EXPECT_EQ(rung_of(result, "jet off").verdict, Verdict::inside);
   EXPECT_EQ(rung_of(result, "mesh levels 1").verdict, Verdict::outside);

@@ -102,11 +102,30 @@ void print_verdict(const LadderResult& result, const LadderOptions& options,
              best.cpu_seconds / result.rungs.front().cpu_seconds, (folder / "cheapest.toml").string());
 }
 
+std::string end_of_band(const LadderResult& result, double change, const std::string& rung) {
+  return fmt::format("{:+.3g} ({:+.3g} %{})", change, per_cent(result, change),
+                     rung.empty() ? "" : ", " + rung);
+}
+
+// What the model itself may be off by is no error of a rung.
+void print_model(const LadderResult& result, const LadderOptions& options) {
+  if (!result.model) return;
+  const ModelBand& band = *result.model;
+  fmt::print("the model's own band, by direction, reflection and expansion of the jet: {} to {}\n",
+             end_of_band(result, band.low, band.lowest), end_of_band(result, band.high, band.highest));
+  if (result.cheapest && !band.cheapest_stands)
+    fmt::print(
+        "within {:g} % of this model; with its band that verdict falls: know direction and reflection "
+        "first\n",
+        100.0 * options.tolerance);
+}
+
 void print(const LadderResult& result, const LadderOptions& options, const std::filesystem::path& folder) {
   print_scene(result, options);
   print_rungs(result);
   print_changes(result);
   print_verdict(result, options, folder);
+  print_model(result, options);
 }
 
 // The options that affect the results.

@@ -43,6 +43,14 @@ std::optional<Remainder> extrapolated(const std::vector<Statistics>& values, std
   return Remainder{last->mean + step - values[at].mean, std::abs(step), error, order};
 }
 
+bool is_resolution(const LadderAxis& axis) {
+  return axis.kind == AxisKind::halving || axis.kind == AxisKind::tightening;
+}
+
+bool is_assumption(const LadderResult& result, const LadderRung& rung) {
+  return rung.axis && result.plan.axes[*rung.axis].kind == AxisKind::model;
+}
+
 // Of the values along an axis; infinite uncertainty if a finer one is missing.
 Remainder remainder_of(const LadderResult& result, std::size_t index, std::size_t at) {
   const LadderAxis& axis = result.plan.axes[index];
@@ -67,7 +75,7 @@ LadderReference reference_of(const LadderResult& result) {
   LadderReference reference{finest.mean, finest.standard_error, 0.0, {}};
   for (std::size_t a = 0; a < result.plan.axes.size(); ++a) {
     const LadderAxis& axis = result.plan.axes[a];
-    if (axis.kind == AxisKind::effect || follows_finer_mesh(result.plan, axis)) continue;
+    if (!is_resolution(axis) || follows_finer_mesh(result.plan, axis)) continue;
     const Remainder rest = remainder_of(result, a, picks[a]);
     reference.value += rest.correction;
     reference.standard_error += rest.standard_error;
@@ -97,7 +105,8 @@ Verdict verdict_of(const LadderRung& rung, const LadderResult& result, double al
   const auto says_too_little = [](const LadderRung& r) {
     return r.can_be_perturbed && r.value.count < fewest_runs;
   };
-  if (!rung.failure.empty() || rung.value.count == 0) return Verdict::not_judged;
+  if (!rung.failure.empty() || rung.value.count == 0 || is_assumption(result, rung))
+    return Verdict::not_judged;
   if (result.chaotic && (says_too_little(rung) || says_too_little(result.rungs[result.finest])))
     return Verdict::undecided;
   if (!(allowed > 0.0)) return Verdict::undecided;  // a share of nothing
@@ -106,6 +115,18 @@ Verdict verdict_of(const LadderRung& rung, const LadderResult& result, double al
   if (least > allowed) return Verdict::outside;
   const bool near = least >= (1.0 - bound_width) * allowed && most <= (1.0 + bound_width) * allowed;
   return near ? Verdict::on_the_bound : Verdict::undecided;
+}
+
+std::optional<ModelBand> model_band(const LadderResult& result) {
+  std::optional<ModelBand> band;
+  for (const LadderRung& rung : result.rungs) {
+    if (!is_assumption(result, rung) || !rung.failure.empty() || rung.value.count == 0) continue;
+    if (!band) band.emplace();
+    const double change = change_of(result, rung).value;
+    if (change < band->low) band->low = change, band->lowest = rung.name;
+    if (change > band->high) band->high = change, band->highest = rung.name;
+  }
+  return band;
 }
 
 // By cost: what is more exact than all that is cheaper.
@@ -136,7 +157,7 @@ std::vector<std::size_t> reference_rungs(const LadderResult& result) {
     const LadderRung& rung = result.rungs[r];
     if (!rung.axis || r == result.finest) continue;
     const LadderAxis& axis = result.plan.axes[*rung.axis];
-    const bool counts = axis.kind != AxisKind::effect && !follows_finer_mesh(result.plan, axis);
+    const bool counts = is_resolution(axis) && !follows_finer_mesh(result.plan, axis);
     if (counts && rung.choice >= axis.first) rungs.push_back(r);
   }
   return rungs;
@@ -181,6 +202,12 @@ void judge(LadderResult& result, double tolerance, double error_rate) {
       result.cheapest = i;
   }
   mark_front(result, least_share * allowed);
+  result.model = model_band(result);
+  if (result.model && result.cheapest) {
+    const double error = result.rungs[*result.cheapest].error;
+    result.model->cheapest_stands =
+        std::max(error - result.model->low, result.model->high - error) <= allowed;
+  }
   result.verdict = result.cheapest ? Verdict::inside : Verdict::undecided;
 }
 

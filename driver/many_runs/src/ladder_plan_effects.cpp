@@ -2,6 +2,7 @@
 // Effects that a case names, and the overrides that change them.
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "ladder_plan.hpp"
@@ -84,7 +85,68 @@ class Effects {
     effect("compression", {linear, none});
   }
 
+  // What nobody knows of a jet (docs/theory/jet_push.md).
+  void jet_assumptions() {
+    if (scene_.jets.empty() || !scene_.bag) return;
+    reflection();
+    expansion();
+    direction();
+  }
+
  private:
+  void reflection() {
+    Choices choices{{"restitution of the case", {}}};
+    for (const char* value : {"0.3", "0.0"}) {
+      LadderChoice other{fmt::format("restitution {}", value), {}};
+      for (const JetPart& jet : scene_.jets)
+        case_.set(other.overrides, case_.jet_key(jet, "restitution"), value);
+      if (!other.overrides.empty()) choices.push_back(std::move(other));
+    }
+    assumption("reflection", std::move(choices));
+  }
+
+  void expansion() {
+    LadderChoice expanded{"outlet expanded", {}};
+    for (const JetPart& jet : scene_.jets) {
+      if (jet.field.model().spread == jet::Spread::cone) {
+        plan_.left_out.emplace_back("expansion: a cone does not have the outlet's momentum");
+        return;
+      }
+      case_.set(expanded.overrides, case_.jet_key(jet, "outlet"), "\"expanded\"");
+      case_.set(expanded.overrides, case_.jet_key(jet, "temperature"), "\"stagnation\"");
+    }
+    assumption("expansion", {{"outlet of the case", {}}, std::move(expanded)});
+  }
+
+  // An axis 5 degrees off to either side. The outlet goes ahead as far as its rim would go back.
+  void direction() {
+    Choices choices{{"axis of the case", {}}};
+    for (const double side : {1.0, -1.0}) {
+      LadderChoice off{side > 0.0 ? "axis 5 degrees to one side" : "axis 5 degrees to the other side", {}};
+      for (const JetPart& jet : scene_.jets) turn(jet.field.model(), jet, side, off.overrides);
+      choices.push_back(std::move(off));
+    }
+    assumption("direction", std::move(choices));
+  }
+
+  void turn(const jet::JetModel& model, const JetPart& jet, double side, Overrides& overrides) const {
+    constexpr double sine = 0.08715574274765817, cosine = 0.9961946980917455, beyond = 1.02;
+    const bool round = model.shape == jet::OutletShape::round;
+    const Eigen::Vector3d across =
+        round ? model.axis.unitOrthogonal() : model.axis.cross(model.long_direction).eval();
+    const double rim = round ? model.radius : 0.5 * model.short_side;
+    set_vector(jet, "axis", cosine * model.axis + side * sine * across, overrides);
+    set_vector(jet, "centre", model.centre + beyond * sine * rim * model.axis, overrides);
+  }
+
+  void set_vector(const JetPart& jet, const char* key, const Eigen::Vector3d& v, Overrides& overrides) const {
+    case_.set(overrides, case_.jet_key(jet, key), fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()));
+  }
+
+  void assumption(const char* name, Choices choices) {
+    if (choices.size() > 1) plan_.axes.push_back({name, AxisKind::model, std::move(choices), 0, 0});
+  }
+
   void effect(const char* name, Choices choices) {
     const std::size_t base = choices.size() - 1;
     plan_.axes.push_back({name, AxisKind::effect, std::move(choices), base, base});
@@ -110,6 +172,7 @@ void add_effects(const Scene& scene, const CaseSettings& settings, LadderPlan& p
   effects.heat_capacity();
   effects.porosity();
   effects.compression();
+  effects.jet_assumptions();
 }
 
 }  // namespace driver

@@ -96,6 +96,12 @@ std::string ladder_json(const LadderResult& result, const LadderOptions& options
             {"chaotic", result.chaotic},
             {"spread_of_seeds", result.spread}};
   if (result.verdict != Verdict::not_judged) json["reference"] = reference_json(result.reference);
+  if (result.model)
+    json["model_band"] = {{"low", result.model->low},
+                          {"lowest", result.model->lowest},
+                          {"high", result.model->high},
+                          {"highest", result.model->highest},
+                          {"cheapest_stands", result.model->cheapest_stands}};
   for (const LadderRung& rung : result.rungs) json["rungs"].push_back(rung_json(result, rung));
   json["held"] = options.hold;
   json["left_out"] = result.plan.left_out;
@@ -135,6 +141,8 @@ void write_ladder(ResultFolder& folder, const LadderResult& result, const std::f
   if (result.verdict != Verdict::not_judged) {
     lines.emplace_back("reference", fmt::format("{}", result.reference.value));
     lines.emplace_back("uncertainty", fmt::format("{}", result.reference.uncertainty));
+    if (result.model)
+      lines.emplace_back("model band", fmt::format("{} to {}", result.model->low, result.model->high));
   }
   folder.write("ladder.csv", rows_text(result, lines));
   folder.write("ladder.json", ladder_json(result, options, folder, partial ? "interrupted" : "done"));

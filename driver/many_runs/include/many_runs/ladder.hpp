@@ -23,8 +23,10 @@ struct LadderChoice {
 };
 
 /// What the choices of an axis are: ways to treat an effect, the truest last; resolutions of which those from
-/// `first` on halve a length or a step each, so that an order can be seen; or any that get finer.
-enum class AxisKind { effect, halving, tightening };
+/// `first` on halve a length or a step each, so that an order can be seen; any that get finer; or assumptions
+/// of the model, the case's first, of which nobody knows which is true. The last are not judged, and no other
+/// rung has them: they say what the full case may be off by.
+enum class AxisKind { effect, halving, tightening, model };
 
 /// An effect or a resolution that the case names, its choices from coarse to fine.
 struct LadderAxis {
@@ -97,6 +99,13 @@ struct LadderReference {
   std::vector<std::pair<std::string, Remainder>> remainders;
 };
 
+/// What the model's assumptions do to the full case: the lowest and the highest change, 0 among them.
+struct ModelBand {
+  double low = 0.0, high = 0.0;
+  std::string lowest, highest;  // names of those rungs; empty for 0
+  bool cheapest_stands = true;  // the cheapest rung is within the tolerance at both ends too
+};
+
 struct LadderOptions {
   std::string quantity;     // column of the history at the end, or of an ensemble's quantities; unit optional
   double tolerance = 0.02;  // share of the reference's magnitude, from LadderResult::zero
@@ -117,6 +126,7 @@ struct LadderResult {
   std::vector<LadderRung> rungs;  // the full case first
   std::size_t finest = 0;         // of them
   LadderReference reference;
+  std::optional<ModelBand> model;         // of a plan with such axes
   std::optional<std::size_t> cheapest;    // rung within the tolerance
   Verdict verdict = Verdict::not_judged;  // inside: `cheapest` is set; else undecided, or not_judged
   std::string reason;  // why there is no share to judge by: no such event, or a value of nothing
