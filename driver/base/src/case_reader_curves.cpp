@@ -47,15 +47,20 @@ CurveData read_csv_curve(const std::filesystem::path& file, const std::string& k
   return curve;
 }
 
+// The unit of what a curve is against; a column of a file is named with it.
+const char* unit_of_abscissa(const std::string& abscissa) {
+  return abscissa == "time" ? "s" : abscissa == "overpressure" ? "Pa" : "";
+}
+
 CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string& abscissa,
                          const std::function<void(const std::string&)>& fail) {
   CurveData curve;
   const bool jumps = abscissa == "time";
+  const std::string unit = unit_of_abscissa(abscissa);
   if (reader.has("file")) {
     const auto file = reader.beside_case(reader.at("file").text());
-    const auto knots = jumps                  ? reader.at("time_column").text("time_s")
-                       : abscissa == "strain" ? reader.at("strain_column").text("strain")
-                                              : reader.at("overpressure_column").text("overpressure_Pa");
+    const auto knots =
+        reader.at(abscissa + "_column").text(unit.empty() ? abscissa : fmt::format("{}_{}", abscissa, unit));
     const auto column = reader.at("column").text();
     try {
       curve = read_csv_curve(file, knots, column, jumps);
@@ -67,8 +72,7 @@ CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string&
         fail(fmt::format("{} holds {}, {} is allowed", file.string(), value,
                          with_unit(bounds.text, bounds.unit)));
   } else {
-    curve.time = abscissa == "strain" ? reader.at("strain").numbers(any_number)
-                                      : reader.at(abscissa).numbers(any_number.in(jumps ? "s" : "Pa"));
+    curve.time = reader.at(abscissa).numbers(any_number.in(unit_of_abscissa(abscissa)));
     curve.value = reader.at("value").numbers(bounds);
     check_knots(curve, jumps, [&](std::size_t, const std::string& message) { fail(message); });
   }
@@ -84,6 +88,16 @@ CurveData KeyReader::curve(Bounds bounds, const std::string& abscissa) {
   if (!node.is_table()) return {{}, {number(bounds)}};
   return curve_of_table(table_->below(key_, node), bounds, abscissa,
                         [&](const std::string& message) { fail(message); });
+}
+
+CurveData KeyReader::curve(Bounds bounds, const std::string& abscissa, double fallback) {
+  const std::string allowed = fmt::format("{}; or a curve of {}: {}", bounds.text, abscissa, bounds.text),
+                    text = fmt::format("{}", fallback);
+  const toml::node* node = table_->find(key_, bounds.unit, allowed, text);
+  if (node && node->is_table()) return curve(bounds, abscissa);
+  const double value = node ? checked(*node, bounds) : fallback;
+  remember(fmt::format("{}", value), !node);
+  return {{}, {value}};
 }
 
 std::map<std::string, double> KeyReader::composition() {

@@ -36,7 +36,7 @@ RestitutionRange restitution_range(const Scene& scene, const jet::JetModel& mode
   range.depth_over_width = depth / width;
   range.deep = range.depth_over_width > 1.0;
   range.low = -0.2;  // the first passes of the jet
-  range.high = range.deep ? 0.4 : 0.8;
+  range.high = range.deep ? 0.45 : 1.0;
   return range;
 }
 

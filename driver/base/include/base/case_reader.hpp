@@ -140,6 +140,7 @@ class KeyReader {
   /// [..] }; pass it as `abscissa`. The result's knots are in `time` all the same. Only a curve of time may
   /// jump.
   CurveData curve(Bounds value_bounds, const std::string& abscissa = "time");
+  CurveData curve(Bounds value_bounds, const std::string& abscissa, double fallback);
   /// Reads { name = fraction, ... }: each in (0, 1], with sum 1 within 1e-9. Returns them as given.
   std::map<std::string, double> composition();
 

@@ -82,12 +82,8 @@ jet::JetModel read_model(TableReader& table) {
 
 // A number goes to the model; a curve is returned, with its first value in the model.
 std::optional<gas::Curve> read_restitution(TableReader& table, bool has_volume, jet::JetModel& model) {
-  if (!table.has("restitution")) {
-    table.at("restitution").number(restitution_range, model.restitution);
-    return {};
-  }
-  const gas::Curve curve =
-      to_gas_curve(table.at("restitution").curve(restitution_range, "mass_ratio"), gas::Outside::held);
+  const CurveData data = table.at("restitution").curve(restitution_range, "mass_ratio", model.restitution);
+  const gas::Curve curve = to_gas_curve(data, gas::Outside::held);
   model.restitution = curve.value(0.0);
   if (curve.is_constant()) return {};
   if (!has_volume)
