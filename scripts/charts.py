@@ -10,6 +10,7 @@
   figure_3      Fig. 3 of the paper: mass flow of nitrogen at 673 K through 8.5 dm2 of hole, (G.6), and of porous fabric, (G.7). It
                 states neither ambient pressure nor porosity: 101325 Pa, and the fabric for the 0.05 of its scene and over eta^2
   jet_decay     centreline decay, spreading and entrainment of the jet model against bands of measured jets (docs/theory/jet.md)
+  jet_push      restitution that computed flows in closed cavities have, from docs/data (docs/theory/jet_push.md)
   damaged       what damaged input does: an hour of the fuzzers, and 10,000 damaged cases by class
   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
   concepts      drawings of what words say poorly
@@ -156,6 +157,10 @@ def jet_decay():
     draw("jet_decay", data=gnuplot_file(folder), out=gnuplot_file(OUT / "jet_decay.svg"))
 
 
+def jet_push():
+    draw("jet_push", data=gnuplot_file(ROOT / "docs/data/jet_cavity_cfd.csv"), out=gnuplot_file(OUT / "jet_push.svg"))
+
+
 def damaged():
     output(ROOT / "scripts/tests/fuzz.sh", 450)
     keep("fuzz", provenance() + rows(ROOT / "build-fuzz/fuzz.csv"), None)
@@ -202,7 +207,7 @@ def benchmark(name):
 # ---
 
 CHARTS = {**{name: ladder for name in LADDERS}, **{name: benchmark for name in benchmarks.CHARTS}, "forecast": forecasts, "detection": detections,
-          "ablation": ablations, **{chart.__name__: chart for chart in (ladders, jet_cost, jet_effect, figure_3, jet_decay, damaged, frames,
+          "ablation": ablations, **{chart.__name__: chart for chart in (ladders, jet_cost, jet_effect, figure_3, jet_decay, jet_push, damaged, frames,
                                                                         concepts, examples)}}
 PLANS = sorted(plan.stem for plan in ROOT.glob("cases/studies/*.toml"))
 

@@ -78,6 +78,28 @@ def test_gas_default():
             assert needed and min(needed) <= 1.1 * time, (tank, row)
 
 
+def test_jet_push():
+    """The last columns of the computed cavities follow from the others. Loads over J have two digits, so a sum of four is within 0.02, and
+    in windows of 3 ms and more the gas gains little momentum: the net load is one thrust within 6 %, as the page says."""
+    rows = rows_of(ROOT / "docs/data/jet_cavity_cfd.csv")
+    assert len({row["case"] for row in rows}) == 16
+    long_windows = 0
+    for row in rows:
+        def value(name):
+            return float(row[name])
+        thrust = value("thrust_E_N") / value("J_mdotV0_N")
+        assert abs(value("restitution") - (value("front_excess_pE_over_J") - thrust)) <= 0.0051
+        assert abs(value("thrust_V_N") - value("J_mdotV0_N") - (101.325 * value("pe_over_pa") - value("p_V_kPa")) * math.pi * 0.4) < 0.5
+        depth = value("L_over_D") / value("R_over_R0")
+        axisymmetric_sst = row["turbulence"] == "kOmegaSST" and "box" not in row["case"]
+        assert row["group"] == ("deep" if depth > 1 else "compact_sst" if axisymmetric_sst else "compact")
+        if value("t_end_ms") - value("t_start_ms") >= 3:
+            long_windows += 1
+            net = value("front_excess_pE_over_J") - value("back_excess_pE_over_J") + value("side_shear_over_J")
+            assert abs(net / thrust - 1) < 0.06, row
+    assert long_windows > 10
+
+
 def test_plot(tmp_path):
     """Columns are found by name, a quantity that a scene does not have is left out, a table without any is refused."""
     def written(name, *columns):
