@@ -178,7 +178,7 @@ void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const N
       throw ContactError("contact: a node or the sphere's centre is not finite");
     if (const double motion = (end - start).colwise().norm().maxCoeff(); !(motion <= most_radii * radius))
       throw ContactError("contact: element " + std::to_string(e) + " moves by " + text(motion) +
-                         " m past the sphere's centre within one step, its limit is " +
+                         " m past the sphere's centre within one step, the limit is " +
                          text(most_radii * radius) + " m");
     // A centre this close to the skin is far beyond the allowed penetration, on either side.
     if (path_meets_triangle(start, end, 0.01 * radius))

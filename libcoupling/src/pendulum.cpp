@@ -113,8 +113,7 @@ void PendulumModel::require_followed(double turn) const {
                half = 0.5 * parameters_.impactor_radius;
   if (!(path <= half))
     throw ContactError("contact: the impactor swings " + detail::text(path) +
-                       " m within one step, more than half its radius, " + detail::text(half) +
-                       " m: too far to tell what it met on the way");
+                       " m within one step, the limit is half its radius, " + detail::text(half) + " m");
 }
 
 double PendulumModel::angular_velocity_at_level(const PendulumState& state, double moment,

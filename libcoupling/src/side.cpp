@@ -104,9 +104,9 @@ void require_outside(const Triangles& triangles, const Nodes& nodes, const Vecto
   const Gap gap = smallest_gap(triangles, nodes, centre, radius);
   if (gap.distance < -1e-9 * radius)
     detail::reject("pendulum.impactor",
-                   "a sphere that reaches " + detail::text(-gap.distance) + " m into the skin at element " +
+                   "reaches " + detail::text(-gap.distance) + " m into the skin at element " +
                        std::to_string(gap.element),
-                   "clear of the skin at the start");
+                   "outside the skin at the start");
   const double winding = winding_number(triangles, nodes, centre);
   if (std::abs(winding) > 0.5)
     detail::reject("pendulum.impactor",

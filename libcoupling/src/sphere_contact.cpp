@@ -26,7 +26,7 @@ void require_columns(const std::string& field, Eigen::Index columns, int node_co
 
 void require_own(const ContactState& state, const std::shared_ptr<const ElementGroups>& groups) {
   if (state.owner != groups)
-    detail::reject("contact.state", "one of another model, or of none", "from make_state of this model");
+    detail::reject("contact.state", "not of this model", "from make_state of this model");
 }
 
 int subdivision_of(const std::string& field, double longest_edge, double radius) {
@@ -114,7 +114,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   double motion = state.told;
   if (state.started && !(motion >= 0.0) && !state.kept)
     detail::reject("contact motion", "not known",
-                   "stays_clear asked before each level, where it was told what lies ahead");
+                   "stays_clear called before each level after it got the motion ahead");
   if (!(motion >= 0.0)) motion = detail::largest_motion(nodes, state.nodes) + (centre - state.centre).norm();
   if (!std::isfinite(motion) || !centre.allFinite())
     throw ContactError("contact: a node or the sphere's centre is not finite");
@@ -123,8 +123,8 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   if (state.started && !(motion < clearance)) {
     if (!state.kept)
       throw ContactError("contact: skin and sphere moved " + detail::text(motion) +
-                         " m within one step, where " + detail::text(state.expected) +
-                         " m were expected: too far to tell whether the centre crossed the skin");
+                         " m within one step, but only " + detail::text(state.expected) +
+                         " m were expected: the centre may have crossed the skin");
     detail::sweep_centre_path(triangles_, radius, nodes, centre, state);
   }
   state.displacement_bound += kRounding * motion;

@@ -60,7 +60,7 @@ void require_area(const Curve& curve, const char* name) {
 
 void require_no_jump(const Curve& curve, const char* name) {
   if (const auto jump = curve.first_jump())
-    require(false, name, *jump, "is the overpressure of a jump; one value at each overpressure is allowed");
+    require(false, name, *jump, "is the overpressure of a jump: must have one value at each overpressure");
 }
 
 void validate(const Vent& vent) {
@@ -115,8 +115,7 @@ void require_apart(const Sensor& sensor, double ambient_pressure) {
   if (sensor.kind != SensorKind::pressure || !sensor.reset) return;
   const double width = kApart * (ambient_pressure + std::max(0.0, sensor.threshold));
   require(sensor.threshold - *sensor.reset >= width, "sensor.reset [Pa]", *sensor.reset,
-          "must be " + to_short_text(1.01 * width) +
-              " Pa or more below the threshold: nearer levels are one to rounding");
+          "must be " + to_short_text(1.01 * width) + " Pa or more below the threshold");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ double midpoint(double a, double b) {
 
 Curve::Curve(std::vector<Knot> knots, Outside outside) : knots_(std::move(knots)), outside_(outside) {
   require(outside == Outside::zero || outside == Outside::held, "outside", static_cast<double>(outside),
-          "must be an enumerator");
+          "must be one of its enumerators");
   const std::size_t least = outside == Outside::zero ? 2 : 1;
   require(knots_.size() >= least, "number of knots of a curve", static_cast<double>(knots_.size()),
           "must be at least 1, and 2 for a curve that is zero outside its knots");
@@ -39,11 +39,11 @@ Curve::Curve(std::vector<Knot> knots, Outside outside) : knots_(std::move(knots)
     require(i == 0 || knots_[i].time >= knots_[i - 1].time, "time or overpressure of a knot", knots_[i].time,
             "must not be below that of the knot before");
     require(i < 2 || knots_[i].time > knots_[i - 2].time, "time or overpressure of three knots",
-            knots_[i].time, "must be that of two knots at most, the values before and after a jump");
+            knots_[i].time, "must belong to at most two knots, the values before and after a jump");
     if (i == 0 || knots_[i].time == knots_[i - 1].time) continue;
     const double slope = (knots_[i].value - knots_[i - 1].value) / (knots_[i].time - knots_[i - 1].time);
     require(std::isfinite(slope), "slope of a curve", slope,
-            "must be finite; a jump has two knots at one place");
+            "must be finite; for a jump use two knots at one place");
   }
 }
 
@@ -63,7 +63,7 @@ Curve::Piece Curve::piece(double time) const {
 
 double Curve::value(double time, Side side) const {
   require(side == Side::before || side == Side::after, "side", static_cast<double>(side),
-          "must be an enumerator");
+          "must be one of its enumerators");
   if (side == Side::before)
     if (const auto first = std::ranges::lower_bound(knots_, time, {}, &Knot::time);
         first != knots_.end() && first->time == time)

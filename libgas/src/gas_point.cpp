@@ -25,7 +25,7 @@ InflatorPoint inflator_point(const ControlVolumeModel& model, const Inflow& infl
 void require_triggers(const ControlVolumeModel& model, const ControlVolumeState& state) {
   require(state.triggers.size() == model.triggers.size(), "number of triggers of the state",
           static_cast<double>(state.triggers.size()),
-          "must be one per node of the model's triggers, as make_state(model, ...) gives them");
+          "must be one per node of the model's triggers: use make_state(model, ...)");
 }
 
 /// The gas of `state`, (G.8), (G.18).

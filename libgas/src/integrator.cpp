@@ -25,7 +25,7 @@ const ControlVolumeModel& validated(const ControlVolumeModel& model) {
 
 const IntegratorOptions& validated(const IntegratorOptions& options) {
   require(options.method >= Method::dormand_prince_5 && options.method <= Method::rosenbrock_4, "method",
-          static_cast<double>(options.method), "must be an enumerator");
+          static_cast<double>(options.method), "must be one of its enumerators");
   require(options.relative_tolerance >= 1e-13 && options.relative_tolerance <= 1e-2, "relative_tolerance",
           options.relative_tolerance, "must be 1e-13 to 1e-2");
   require(options.fixed_step >= 0.0 && std::isfinite(options.fixed_step), "fixed_step [s]",
@@ -144,8 +144,8 @@ class GasIntegrator::Implementation {
                         " Pa and off at " + to_text(reset) + " Pa, keeps switching: " +
                         std::to_string(switchings_[i]) + " times from t = " + to_text(t0) +
                         " s to t = " + to_text(t) + " s, every " + to_text((t - t0) / switchings_[i]) +
-                        " s, for what it opens and closes takes p back and forth between the two; " +
-                        "a lower reset, a delay, or a smaller opening, is allowed");
+                        " s, because the openings that it switches move p to and fro between the two. " +
+                        "Use a lower reset, a delay, or a smaller opening");
     }
   }
 

@@ -130,8 +130,7 @@ void StepControl::require_stable(const Balance& balance, double length, double r
   throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
                     to_text(limit() / rate) + " s at t = " + to_text(balance.absolute_time()) +
                     " s, where the gas relaxes within " + to_text(1.0 / rate) +
-                    " s; Rosenbrock 4 (gas_method of a case) has no such limit, and error control (no "
-                    "gas_step) keeps to it");
+                    " s. Use a shorter gas_step, leave it out, or use Rosenbrock 4 (gas_method)");
 }
 
 void StepControl::require_motion(const Balance& balance, const Moment& begin, const Moment& end,
@@ -144,19 +143,16 @@ void StepControl::require_motion(const Balance& balance, const Moment& begin, co
   if (moved <= options_.relative_tolerance * balance.gas().pressure ||
       std::abs(end.overpressure - begin.overpressure) >= kStill * moved)
     return;
-  throw DomainError(
-      "the step " + to_text(options_.fixed_step) +
-      " s is too long for the balance of flows at t = " + to_text(balance.absolute_time()) +
-      " s: p stays where its rate would move it; a shorter one (gas_step of a case), or none, is "
-      "allowed");
+  throw DomainError("the step " + to_text(options_.fixed_step) +
+                    " s is too long for the balance of flows at t = " + to_text(balance.absolute_time()) +
+                    " s: p hardly moves although its rate is large. Use a shorter gas_step, or none");
 }
 
 void StepControl::fail_crossing(const Balance& balance) const {
   throw DomainError(
       "the step " + to_text(options_.fixed_step) +
       " s is too long for the balance near ambient pressure at t = " + to_text(balance.absolute_time()) +
-      " s: flow through the openings takes p past p_a, where it would turn, or the wrong way; "
-      "a shorter one (gas_step of a case), or none, is allowed");
+      " s: flow through the openings takes p past p_a, or the wrong way. Use a shorter gas_step, or none");
 }
 
 /// Advice for the user if sub-steps of `length` are too many or too short.
@@ -165,12 +161,12 @@ std::string StepControl::advice(const Balance& balance, double length) const {
   std::string text = jump_text(balance, options_.relative_tolerance);
   if (!text.empty()) return text;
   if (relaxation > 0.0) text = "; it relaxes within " + to_text(1.0 / relaxation) + " s";
-  if (length * relaxation > 0.1 * limit()) text += "; Rosenbrock 4 (gas_method of a case) has no such limit";
+  if (length * relaxation > 0.1 * limit()) text += "; Rosenbrock 4 (gas_method) has no such limit";
   const double rounding = rounding_limit(balance);
   if (length > 0.1 * rounding)
-    text += "; it passes through within " + to_text(balance.gas().mass / std::abs(balance.flow())) +
+    text += "; it is exchanged within " + to_text(balance.gas().mass / std::abs(balance.flow())) +
             " s, so that rounding takes sub-steps below " + to_text(rounding) +
-            " s; a looser tolerance (gas_tolerance of a case) is allowed";
+            " s; use a looser gas_tolerance";
   return text;
 }
 
@@ -188,9 +184,8 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
   // The trial's result does not matter then: events or rates need shorter sub-steps than are possible.
   const bool too_short = is_too_short(balance, t, length);
   if (system.ledger.depleted() && !too_short)
-    throw DomainError("species " + thermo.species(*system.ledger.depleted()).name +
-                      " runs out: more of it would leave than there is, " + where +
-                      (is_fixed() ? "; a shorter one (gas_step of a case), or none, is allowed" : ""));
+    throw DomainError("species " + thermo.species(*system.ledger.depleted()).name + " runs out " + where +
+                      (is_fixed() ? ". Use a shorter gas_step, or none" : ""));
   const bool begin_has_gas = balance.locate(system.ledger.gas(), t);
   // Trials that step over an end of the range are repeated until they are too short. The gas is then on that
   // end.
@@ -207,13 +202,12 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
   if (is_fixed())
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
                       std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +
-                      "; a longer one (gas_step of a case), or none, is allowed");
+                      ". Use a longer gas_step, or none");
   throw TooStiff("the gas is too stiff for the integrator: " + std::to_string(system.effort.attempts) +
                  (system.effort.attempts == 1 ? " sub-step, " : " sub-steps, ") + where + gas +
                  advice(balance, length) +
-                 (too_short ? "; that is below the rounding of the time since the last break point: use a "
-                              "larger volume or smaller "
-                              "openings"
+                 (too_short ? "; that is below the rounding of the time since the last break point. Use a "
+                              "larger volume or smaller openings"
                             : ""));
 }
 

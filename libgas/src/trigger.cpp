@@ -12,7 +12,7 @@ namespace {
 
 void validate(const Sensor& sensor) {
   require(sensor.kind >= SensorKind{} && sensor.kind <= SensorKind::input, "sensor.kind",
-          static_cast<double>(sensor.kind), "must be an enumerator");
+          static_cast<double>(sensor.kind), "must be one of its enumerators");
   if (sensor.kind != SensorKind::input)
     require(std::isfinite(sensor.threshold), "sensor.threshold", sensor.threshold, "must be finite");
   if (sensor.reset)
@@ -28,7 +28,7 @@ void validate(const Sensor& sensor) {
 
 void validate(const Gate& gate, std::size_t node) {
   require(gate.logic >= Logic::all && gate.logic <= Logic::negated, "gate.logic",
-          static_cast<double>(gate.logic), "must be an enumerator");
+          static_cast<double>(gate.logic), "must be one of its enumerators");
   const std::size_t most = gate.logic == Logic::negated ? 1 : node;
   require(!gate.inputs.empty() && gate.inputs.size() <= most, "number of gate.inputs",
           static_cast<double>(gate.inputs.size()), "must be 1 for not, else 1 or more");

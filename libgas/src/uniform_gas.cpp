@@ -117,7 +117,7 @@ double stored_work(const ControlVolumeModel& model, const ControlVolumeState& st
 
 std::string beyond_text(const ControlVolumeModel& model) {
   return "the overpressure passes " + to_text(model.volume_of_overpressure->knots().back().time) +
-         " Pa, where the curve of the volume ends";
+         " Pa, the end of the volume's curve";
 }
 
 std::string range_text(const ControlVolumeModel& model) {

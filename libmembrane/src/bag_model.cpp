@@ -161,7 +161,7 @@ void set_masses(BagModel& m) {
       reject("node " + std::to_string(n), "belongs to no element");
     if (!(m.node_mass[n] > 0.0))
       reject("node " + std::to_string(n),
-             "inside a null panel, no fabric holds it; allowed: null panels with rim nodes only");
+             "is inside a null panel, where no fabric holds it; allowed: null panels with rim nodes only");
     m.inverse_mass.map().col(static_cast<Eigen::Index>(n)).setConstant(1.0 / m.node_mass[n]);
     m.fabric_mass += m.node_mass[n];
   }

@@ -49,7 +49,8 @@ void check_state(const BagModel& model, const BagState& s) {
       std::ssize(s.strap_tension) == std::ssize(d.straps) && std::ssize(s.share_demand) == elements &&
       s.shares.frequency.size() == model.elements.group.size() &&
       s.shared_sums.size() == model.shared.slot.size() && std::ssize(s.block) == sum_blocks(model);
-  if (!own) reject("state", "its arrays do not have the sizes of this model; allowed: what make_state gives");
+  if (!own)
+    reject("state", "its arrays do not have the sizes of this model; allowed: a state from make_state");
 }
 
 BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds loads) {

@@ -32,7 +32,7 @@ const char* name_of(Isa isa) {
     case Isa::baseline:
       return "baseline";
   }
-  throw std::invalid_argument("isa: is no enumerator");
+  throw std::invalid_argument("isa: is not an enumerator");
 }
 
 const KernelTable& kernel_table(Isa isa) {
@@ -46,7 +46,7 @@ const KernelTable& kernel_table(Isa isa) {
 #else
   if (isa == Isa::avx2) throw std::invalid_argument("isa: avx2, but this build has baseline and scalar only");
 #endif
-  if (isa != Isa::baseline) throw std::invalid_argument("isa: is no enumerator");
+  if (isa != Isa::baseline) throw std::invalid_argument("isa: is not an enumerator");
   return baseline::kTable;
 }
 

@@ -20,7 +20,7 @@ namespace {
 SkinPass pass_of(SkinParts parts) {
   if (parts == SkinParts::surface) return kSurfacePass;
   if (parts != SkinParts::forces && parts != SkinParts::both)
-    throw std::invalid_argument("parts of the skin: is no enumerator");
+    throw std::invalid_argument("parts of the skin: is not an enumerator");
   return parts == SkinParts::forces ? kForcesPass : kSkinPass;
 }
 

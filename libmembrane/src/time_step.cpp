@@ -21,7 +21,7 @@ double gas_frequency(const BagState& state, double gamma, double pressure) {
   if (gamma == 0.0) return 0.0;
   if (!(state.surface.volume > 0.0))
     throw MembraneError("critical step: the enclosed volume is " + std::to_string(state.surface.volume) +
-                        " m3, gas needs it to be positive");
+                        " m3, which must be positive for gas");
   return gamma * pressure / state.surface.volume * state.surface.gradient_mobility;
 }
 

@@ -94,7 +94,7 @@ TEST_F(bad_calls, tank) {
   refused(add(2, time, nullptr, hot), "mass_flow");
   refused(add(2, time, flow, nullptr), "temperature");
   refused(add(2, reinterpret_cast<const double*>(reinterpret_cast<const char*>(time) + 4), flow, hot),
-          "time: begins between two numbers");
+          "time: is not aligned");
   refused(add(2, nan, flow, hot), "time");
   refused(add(2, time, nan, hot), "mass_flow");
   refused(add(2, time, below, hot), "mass_flow");

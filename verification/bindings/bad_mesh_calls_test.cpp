@@ -103,7 +103,7 @@ TEST_F(bad_calls, jet) {
   }
   EXPECT_NE(with([](auto& j) { j.radius = kNan; }).find("side"), std::string::npos);
   EXPECT_NE(with([](auto& j) { j.axis[0] = 0.0; }).find("axis"), std::string::npos);
-  EXPECT_EQ(with([](auto& j) { j.long_side = 0.1; }).find("radius: is given beside"), 0u);
+  EXPECT_EQ(with([](auto& j) { j.long_side = 0.1; }).find("radius: is given with"), 0u);
   EXPECT_EQ(with([](auto& j) { j.cone_half_angle = 0.1; }).find("cone_half_angle: is given without"), 0u);
   EXPECT_EQ(out, 0);
   double force[3] = {7.0, 7.0, 7.0};
@@ -286,7 +286,7 @@ TEST_F(bad_calls, handles_are_freed_once) {
   ASSERT_OK(gasjet_gas_create("N2=1", 0.0, &one));
   ASSERT_OK(gasjet_free(one));
   refused(gasjet_free(one), "handle: was freed");
-  refused(gasjet_free(0), "handle: is no handle");
+  refused(gasjet_free(0), "handle: is not a handle");
   EXPECT_OK(gasjet_gas_create("N2=1", 0.0, &one));
   EXPECT_STREQ(gasjet_last_error(), "");
   EXPECT_OK(gasjet_free(one));

@@ -60,7 +60,7 @@ class Conversions(unittest.TestCase):
     def test_sizes_of_a_jet_that_do_not_fit_are_refused(self):
         slot = dict(short_side=0.02, long_side=0.1, long_direction=(0.0, 1.0, 0.0))
         gasjet.Jet(**ROUND, **slot)
-        for wrong, message in ((dict(slot, short_side=0.2), "short_side is 0.2.*long_side"), (dict(slot, radius=0.02), "radius: is given beside short_side"),
+        for wrong, message in ((dict(slot, short_side=0.2), "short_side is 0.2.*long_side"), (dict(slot, radius=0.02), "radius: is given with short_side"),
                                ({}, "radius, or short_side and long_side"), (dict(slot, cone_half_angle=0.2), "cone_half_angle: .* cone_initial_width")):
             with self.assertRaisesRegex(gasjet.InputError, message):
                 gasjet.Jet(**ROUND, **wrong)

@@ -43,8 +43,8 @@ def test_channels():
     assert not os.path.exists("out/accelerations.csv")
     # Without a step of its own, a bag steps as fast as the class needs.
     expect(0, r"channel_classes = \[1000\]", "check cases/ball_impact.toml --set output.channel_classes=[1000]")
-    for pattern, setting in (("holds 100, an array of 60, 180, 600, 1000 is allowed", "[100]"), ("holds a string, an array of", '["60"]'),
-                             ("is a number, an array of", "60"), ("has 60 twice, once is allowed", "[60,60]")):
+    for pattern, setting in (("has 100, allowed: an array of 60, 180, 600, 1000", "[100]"), ("has a string, allowed: an array of", '["60"]'),
+                             ("is a number, allowed: an array of", "60"), ("has 60 twice, allowed: once", "[60,60]")):
         refused(f"output.channel_classes: {pattern}", f"check {CASE} --set", f"output.channel_classes={setting}")
     refused("output.channel_classes: 1000 needs steps of 0.0001 s or less, time.step is 0.0002 s",
             f"check {CASE} --set time.step=2e-4 --set output.channel_classes=[60,1000]")

@@ -52,7 +52,7 @@ def test_threads():
     """Threads that cannot start are told, not met."""
     if not fits(400000):
         pytest.skip("a sanitizer's program needs more memory")
-    expect(3, "threads: is 200, this system lets [0-9]+ run", "ensemble cases/sphere_inflation.toml --runs 40 --threads 200"
+    expect(3, "threads: is 200, but this system runs only [0-9]+ ", "ensemble cases/sphere_inflation.toml --runs 40 --threads 200"
            " --set scene.end_time=1e-4 --quiet --out threads", preexec_fn=limited(400000))
 
 

@@ -43,7 +43,7 @@ def test_identify(data, method):
     curve = lambda column: f"{{ file = '{os.getcwd()}/curves.csv', column = '{column}' }}"
     ok("run cases/tank_identified.toml --out run --quiet --set", f"inflator.0.mass_flow={curve('mass_flow_kg_s')}", "--set",
        f"inflator.0.temperature={curve('temperature_K')}")
-    (limit,) = [float(found[1]) for text in comments("curves.csv") if (found := re.match("forward_model: .* by ([0-9.e+-]+) % at most", text))]
+    (limit,) = [float(found[1]) for text in comments("curves.csv") if (found := re.match("forward_model: .* by at most ([0-9.e+-]+) %", text))]
     assert misses(("run/history.csv", "pressure_Pa"), TANK_PRESSURE) <= 0.01 * limit + 1e-5
 
 
@@ -110,19 +110,19 @@ def test_identify_doubtful(data):
         seed = 16807 * seed % 2147483647
         noisy.append(pressure + 1e4 * (2 * seed / 2147483647 - 1) * 1.7)
     write_table("noisy.csv", {**readings, "chamber_pressure_Pa": noisy})
-    refused("chamber pressure: .* fits --noise full-scale", f"identify noisy.csv {BASE} --out none.csv")
+    refused("chamber pressure: .* use --noise full-scale", f"identify noisy.csv {BASE} --out none.csv")
     expect(0, "of the largest reading", f"identify noisy.csv {BASE} --noise full-scale --out curves.csv")
     # Gauge pressures, told by the start, and a record of temperatures that nothing explains.
     second, third = list(readings)[1:3]
     write_table("gauge.csv", {name: [f"{x - 101225:.6g}" for x in column] if name in (second, third) else column for name, column in readings.items()})
-    told = expect(0, "warning: the tank holds (99.99|100|100.[0-9]+) Pa at first, less than a tenth of an atmosphere: pressures are absolute",
+    told = expect(0, "warning: the tank is at (99.99|100|100.[0-9]+) Pa at first, less than a tenth of an atmosphere: check that pressures are absolute",
                   f"identify gauge.csv {BASE} --out gauge_curves.csv").said
-    assert re.search("warning: .* misses the smoothed tank pressure by [2-9][0-9] %, noise explains 0.* pressures are absolute", told)
+    assert re.search("warning: .* differs from the smoothed tank pressure by [2-9][0-9] %, noise explains 0.* pressures are absolute", told)
     assert sum(text.startswith("warning: ") for text in comments("gauge_curves.csv")) == 2
     # A record that is cut short.
     n = sum(t <= 0.03 for t in readings["time_s"])
     write_table("cut.csv", {name: column[:n] for name, column in readings.items()})
-    expect(0, r"warning: the record ends while gas still flows \([0-9.]+ % of the largest flow\): all of --mass",
+    expect(0, r"warning: the record ends while gas still flows \([0-9.]+ % of the largest flow\), but .* all of --mass",
            f"identify cut.csv {BASE} --out cut_curves.csv")
 
 
@@ -137,10 +137,10 @@ def test_identify_bad_readings(data):
             (f"{at + 1}:1: time_s: time: 0.0099[0-9]* s: must be finite and later", "^0.01,", before + ","),
             (f"{at + 1}:6: 'nan'", "^0.01,[^,]*", "0.01,nan"),
             (f"{at + 1}:6: tank_pressure_Pa: tank pressure: -5: must be above 0; pressures are absolute$", "^0.01,[^,]*", "0.01,-5"),
-            (f"{at + 1}:[0-9]+: chamber_pressure_Pa: chamber pressure: -5: must be above 0; pressures are absolute; noise", "^(0.01,[^,]*),[^,]*",
+            (f"{at + 1}:[0-9]+: chamber_pressure_Pa: chamber pressure: -5: must be above 0; pressures are absolute; for noise .* use --noise full-scale", "^(0.01,[^,]*),[^,]*",
              r"\1,-5"),
             (f"{at + 1}:[0-9]+: chamber_pressure_Pa: chamber pressure: 91234 Pa is below the tank's", "^(0.01,[^,]*),[^,]*", r"\1,91234"),
-            (f"{at - 89}:1: time_s: has [0-9]+ readings, 20 or more", rf"(?s)^{lines[at - 89]}.*", ""),
+            (f"{at - 89}:1: time_s: has [0-9]+ readings, needed: 20 or more", rf"(?s)^{lines[at - 89]}.*", ""),
             ("[0-9]+:1: time_s: -0.1 s: time counts from firing", "^0,", "-0.1,")):
         change("data.csv", (pattern, new), to="bad.csv")
         refused(f"bad.csv:{says}", f"identify bad.csv {BASE} --out none.csv")
@@ -151,7 +151,7 @@ def test_identify_bad_readings(data):
     (r"gasjet: --initial-temperature \[K\] = -1: must be above 0", "--initial-temperature", "-1"),
     ("gasjet: --threshold = 2: must be 0.001 to 0.9", "--threshold", "2"), ("gasjet: --points = 3: must be 20 to", "--points", "3"),
     ("gasjet: --draws = 1: must be 40 to", "--draws", "1"), ("--gas: species = .Xe.: must be one of", "--gas", "Xe"),
-    ("--gas N2=0.5: sum of fractions = 0.5: must be 1", "--gas", "N2=0.5"), ("--tank-gas N2=x: 'N2=x' is no NAME=FRACTION", "--tank-gas", "N2=x"),
+    ("--gas N2=0.5: sum of fractions = 0.5: must be 1", "--gas", "N2=0.5"), ("--tank-gas N2=x: 'N2=x' is not NAME=FRACTION", "--tank-gas", "N2=x"),
     ("--method", "--method", "triple"), ("--noise", "--noise", "none"), ("--draws: is empty", "--draws", "''")])
 def test_identify_bad_options(data, says, option, value):
     refused(says, f"identify data.csv {re.sub(f'{option} [^ ]+', '', BASE)} --out none.csv {option} {value}")

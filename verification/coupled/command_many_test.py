@@ -78,7 +78,7 @@ def test_ladder_undecided():
         run = started(f"ladder {PASSENGER} --quantity pendulum_angle --out tank", stdout=said, stderr=said)
     until(lambda: has("said"))
     assert stop(run) == 130
-    assert re.search("interrupted: .*ladder.csv, the same command goes on", read("said"))
+    assert re.search("interrupted: .*ladder.csv, run the same command to continue", read("said"))
     assert has("tank/ladder.csv", "^# status: interrupted") and load("tank/ladder.json")["status"] == "interrupted"
     ok(f"{LADDER} --out tank --quiet")
     assert not has("tank/ladder.csv", "^# status") and not os.path.exists("tank/journal.jsonl")
@@ -86,8 +86,8 @@ def test_ladder_undecided():
 
 @pytest.mark.parametrize("says, words", [
     *(("--tolerance.*such as 0.02 or 2%", f"--tolerance={tolerance}") for tolerance in ("", "0", "-1%", "nan", "inf", "2%%", "two", "200%")),
-    ("--quantity angle: the scene has none", "--quantity angle"), ("--hold mesh: .*allowed are gas", "--hold mesh"),
-    ("--hold '': a name is empty, allowed are gas", "--hold gas,"), ("--unset scene.x: the case has no such key", "--unset scene.x"),
+    ("--quantity angle: the scene has none", "--quantity angle"), ("--hold mesh: .*allowed: gas", "--hold mesh"),
+    ("--hold '': a name is empty, allowed: gas", "--hold gas,"), ("--unset scene.x: the case has no such key", "--unset scene.x"),
     ("--runs", "--runs 1"), ("--quantity is required", None)])
 def test_ladder_bad_input(says, words):
     command = f"ladder {TANK} --out out"

@@ -34,10 +34,10 @@ def test_report(bag):
     # output.frames = 0 leaves the frames out; those of the run before go.
     ok(f"run {PASSENGER} --out bag --quiet --set scene.end_time=1e-4 --set output.frames=0")
     assert not os.path.exists("bag/frames.bin")
-    refused("output.frames: is -1, a whole number from 0 to 10000", f"run {PASSENGER} --out none --set output.frames=-1")
+    refused("output.frames: is -1, allowed: a whole number from 0 to 10000", f"run {PASSENGER} --out none --set output.frames=-1")
     # Of a rigid target, too; it is no bag for meshes of states.
     ok("run cases/plate_jet.toml --out plate --quiet")
-    refused("plate/frames.bin: is of a rigid target: a run with a bag is needed", "mesh state plate --time 0 --out plate.obj")
+    refused("plate/frames.bin: is of a rigid target, needed: a run with a bag", "mesh state plate --time 0 --out plate.obj")
     os.remove("plate/frames.bin")
     expect(0, "MB", f"report plate {PAGE}")
     assert "frames.bin is missing: no pictures" in read("page.html")
@@ -49,9 +49,9 @@ def test_report_bad_input(bag):
     Path("nothing.csv").touch()
     for says, words in (
             ("nowhere: no such folder or file", f"nowhere {PAGE}"), ("RESULTS.*required", PAGE), ("out.*required", "bag"),
-            ("empty: is no result: it has no history.csv, ensemble.csv or ladder.json", f"empty {PAGE}"),
-            ("rigid_tank.toml:[0-9]+:1: time_s: is to be one of the columns", f"cases/rigid_tank.toml {PAGE}"),
-            ("bag/frames.bin: is a part of a result: its folder or a CSV file is allowed", f"bag/frames.bin {PAGE}"),
+            ("empty: is not a result: it has no history.csv, ensemble.csv or ladder.json", f"empty {PAGE}"),
+            ("rigid_tank.toml:[0-9]+:1: time_s: must be one of the columns", f"cases/rigid_tank.toml {PAGE}"),
+            ("bag/frames.bin: is a part of a result, allowed: its folder or a CSV file", f"bag/frames.bin {PAGE}"),
             # The page never takes the place of a result.
             ("--out .*is a folder", "bag --out bag"), ("--out .*frames.bin: a page ends with .html", "bag --out ./bag/frames.bin"),
             ("page.html: not writable .No such file", "bag --out nowhere/page.html"),
@@ -63,20 +63,20 @@ OTHER_RUN = (b'"run":( ?)"[0-9a-f]*"', rb'"run":\1"0123456789abcdef"')
 
 
 @pytest.mark.parametrize("file, pattern, new, says", [
-    ("history.csv", rb",[^,]*\n\Z", b",nan\n", "history.csv:[0-9]+:[0-9]+: plate_force_N: 'nan': a finite number is allowed"),
-    ("energy.csv", rb",[^,]*\n\Z", b"\n", "energy.csv:[0-9]+:1: has [0-9]+ columns, the header [0-9]+"),
+    ("history.csv", rb",[^,]*\n\Z", b",nan\n", "history.csv:[0-9]+:[0-9]+: plate_force_N: 'nan' is not a finite number"),
+    ("energy.csv", rb",[^,]*\n\Z", b"\n", "energy.csv:[0-9]+:1: has [0-9]+ columns, but the header [0-9]+"),
     ("history.csv", rb"(.*\n)\Z", rb"\1\1", "history.csv:[0-9]+:1: time_s: .* does not rise"),
     ("history.csv", rb"(?m)^[0-9].*\n", b"", "history.csv:[0-9]+:1: has no rows"),
     # Cut between two rows.
-    ("history.csv", rb".*\n\Z", b"", "ends at .* s, .*cut"), ("energy.csv", rb".*\n\Z", b"", "ends at .* s, .*cut"),
+    ("history.csv", rb".*\n\Z", b"", "ends at .* s, but .*incomplete"), ("energy.csv", rb".*\n\Z", b"", "ends at .* s, but .*incomplete"),
     # Damaged frames and JSON.
-    ("frames.bin", rb"(?s).\Z", b"", "frames.bin: holds [0-9]+ bytes of frames, whole frames of [0-9]+ bytes are needed"),
+    ("frames.bin", rb"(?s).\Z", b"", "frames.bin: has [0-9]+ bytes of frames, needed: whole frames of [0-9]+ bytes"),
     ("frames.bin", b'"nodes":1374', b'"nodes":1373', "frames.bin: its header contradicts itself"),
     ("frames.bin", rb'"triangles":\[\[[0-9]*', b'"triangles":[[1374', "frames.bin: its header contradicts itself"),
-    ("frames.bin", b'"straps"', b'"Straps"', "frames.bin: its header lacks what"),
+    ("frames.bin", b'"straps"', b'"Straps"', "frames.bin: its header is incomplete"),
     ("frames.bin", rb"(?s)\A.*\Z", b"something else\n", 'frames.bin: does not begin as "gasjet frames" of format 1'),
-    ("summary.json", rb"(?s)\A(.{100}).*\Z", rb"\1", "summary.json: is no JSON object, or cut short"),
-    ("summary.json", rb"(?s)\A.*\Z", b'{"status": 1}', "bad: its JSON is none that gasjet writes"),
+    ("summary.json", rb"(?s)\A(.{100}).*\Z", rb"\1", "summary.json: is not a JSON object, or is incomplete"),
+    ("summary.json", rb"(?s)\A.*\Z", b'{"status": 1}', "bad: its JSON is not from gasjet"),
     # A folder of two runs, and one whose run has not ended.
     ("summary.json", *OTHER_RUN, "summary.json: is of the run '0123456789abcdef', its folder is of"),
     ("frames.bin", *OTHER_RUN, "frames.bin: is of the run '0123456789abcdef', its folder is of"),
@@ -99,13 +99,13 @@ def test_report_damaged_frames(bag):
     frames = Path("bag/frames.bin")
     whole = frames.read_bytes()
     frames.write_bytes(whole[:-int(re.search(rb'"frame_bytes":([0-9]+)', whole)[1])])
-    refused("frames.bin: ends at .* s, the run at .* cut", f"report bag {PAGE}")
+    refused("frames.bin: ends at .* s, but the run at .* incomplete", f"report bag {PAGE}")
     os.remove("bag/gasjet.status")
     frames.write_bytes(re.sub(rb'"run":"[^"]*"', b'"run":"another"', whole, count=1))
-    refused("frames.bin: is of the run 'another', the table beside it", f"report bag {PAGE}")
+    refused("frames.bin: is of the run 'another', but the table beside it", f"report bag {PAGE}")
     frames.write_bytes(whole)
     change("bag/energy.csv", ("^# run: .*", "# run: another"))
-    refused("energy.csv: is of the run 'another', the table beside it", f"report bag {PAGE}")
+    refused("energy.csv: is of the run 'another', but the table beside it", f"report bag {PAGE}")
 
 
 def test_report_bands():
@@ -120,13 +120,13 @@ def test_report_bands():
 
     a_copy("none")
     write("bad/ensemble.json", "{}")
-    refused("ensemble.json: is no result of gasjet ensemble", f"report bad {PAGE}")
+    refused("ensemble.json: is not a result of gasjet ensemble", f"report bad {PAGE}")
     a_copy("gasjet.status")
     change("bad/ensemble.json", ('"run": "[^"]*"', '"run": "another"'))
-    refused("ensemble.json: is of the run 'another', the table beside it", f"report bad {PAGE}")
+    refused("ensemble.json: is of the run 'another', but the table beside it", f"report bad {PAGE}")
     a_copy("runs.csv")
     change("bad/ensemble.csv", (r".*\n\Z", ""))
-    refused("ensemble.csv: ends at .* s, the run at 0.001 s .ensemble.json says so.: the file is cut", f"report bad {PAGE}")
+    refused("ensemble.csv: ends at .* s, but the run at 0.001 s .see ensemble.json.: the file is incomplete", f"report bad {PAGE}")
     a_copy("none")
     change("bad/ensemble.csv", (r"(?s)..\Z", ""))
     refused("ensemble.csv: its last row has no end of line: the file is cut", f"report bad {PAGE}")
@@ -139,7 +139,7 @@ def test_report_bands():
     refused("interval.csv:3:1: force_low_N: 3 is above force_high_N, 2", f"report interval.csv {PAGE}")
     for width in ("force_band", "force_standard_error"):
         write("width.csv", f"time_s,force,{width}", "0,1,0", "1,2,-0.5")
-        refused(f"width.csv:3:1: {width}: -0.5: a half width of 0 or more is allowed", f"report width.csv {PAGE}")
+        refused(f"width.csv:3:1: {width}: -0.5: is not a half width of 0 or more", f"report width.csv {PAGE}")
     # A history of another program is judged, too.
     tank = "cases/reference/tank_fill.csv"
     rows = table(tank)
@@ -147,4 +147,4 @@ def test_report_bands():
     expect(0, "MB", f"report foreign.csv --against {tank} --out foreign.html")
     os.mkdir("ladder")
     write("ladder/ladder.json", "{}")
-    refused("--against: .* is a ladder, a run, an ensemble or a history", f"report ladder --against {tank} --out foreign.html")
+    refused("--against: .* is a ladder, allowed: a run, an ensemble or a history", f"report ladder --against {tank} --out foreign.html")

@@ -109,7 +109,7 @@ def test_study_designs_stop():
            "not decided after 8 seeds: point 1 .no., peak", "study run plan.toml --out error")
     expect(0, "16 of 16 runs", "study merge error")
     assert load("error/study.json")["not_decided"] == 2
-    refused("--share 1/2: a stop rule looks at all runs", "study run plan.toml --out error --share 1/2")
+    refused("--share 1/2: a stop rule needs all runs", "study run plan.toml --out error --share 1/2")
 
 
 def test_study_levels():
@@ -171,13 +171,13 @@ AT = "plan.toml"
     (f'{AT}:4:1: factor.0: with "1" the case is refused: .*mas_flow', factor("inflator.0.mas_flow", "values = [1, 2]")),
     (f'{AT}:4:1: factor.0: with "-2" the case is refused: .*mass_flow: is -2', flow("values = [1, -2]")),
     (f'{AT}:5:1: factor.0: with "-0.9.*" the case is refused', ('design = "sobol"', *flow("range = [-1, 2]"))),
-    (f"{AT}:7:1: factor.0.range: is no range", ('design = "sobol"', *flow("range = [2, 1]"))),
+    (f"{AT}:7:1: factor.0.range: is not a range", ('design = "sobol"', *flow("range = [2, 1]"))),
     (f"{AT}:4:1: study.design: needs a range", ('design = "sobol"', *flow("values = [1, 2]"))),
-    (f'{AT}:4:1: study.design: is "random", one of', ['design = "random"']),
+    (f'{AT}:4:1: study.design: is "random", allowed: one of', ['design = "random"']),
     (f"{AT}:4:1: study.set: gas.foo=1: gas.foo: unknown key", ['set = ["gas.foo=1"]']),
     (f"{AT}:4:1: study.unset: gas.foo: the case has no such key", ['unset = ["gas.foo"]']),
     (f"{AT}:4:1: study.seeds: perturb the nodes of a membrane", ["seeds = 4"]),
-    (f"{AT}:6:1: factor.0.values: is no array of one value", flow("values = []")),
+    (f"{AT}:6:1: factor.0.values: is not an array with at least one value", flow("values = []")),
     (f'{AT}:4:1: factor.0: has the level "1" twice', flow("values = [1, 1.0]")),
     (rf"{AT}:5:1: factor.0.kye: unknown key, .*; is 'key' meant\?", ["[[factor]]", 'kye = "inflator.0.mass_flow"']),
     ('stop.quantity: is "mass", one of the study\'s is needed: pressure_Pa', ["[stop]", 'quantity = "mass"']),
@@ -195,15 +195,15 @@ AT = "plan.toml"
     ('analysis.base.level: is "40", which the factor does not have: it has "300", "400", "500"',
      ('design = "list"', *flow("values = [1, 1.5, 2]"), *HEAT, "[analysis]", 'base = { factor = "inflator.0.temperature", level = "40" }')),
     ("analysis.response_surface: needs factors that are numbers, way has levels", ("[[factor]]", 'name = "way"', *level("a"), *level("b"), *SURFACE)),
-    (f"{AT}:5:1: study.points: is 7, a whole number from 8 to 1000000", ('design = "sobol_indices"', "points = 7", *flow("range = [1, 2]"))),
+    (f"{AT}:5:1: study.points: is 7, allowed: a whole number from 8 to 1000000", ('design = "sobol_indices"', "points = 7", *flow("range = [1, 2]"))),
     # Columns and keys are each of one factor.
     *((f'{AT}:6:1: factor.0.name: is "{name}", which is another column of the results', flow(f'name = "{name}"', "values = [1, 2]"))
       for name in ("seed", "quantity", "standard_error", "runs", "pressure_Pa")),
     (f"{AT}:8:1: factor.1.key: sets again what inflator.0.mass_flow sets", (*flow("values = [1, 2]"), *flow('name = "again"', "values = [3, 4]"))),
     # Larger than memory is.
-    ("study.design: has 16000000 points or more of 1 runs each, at most 10000000 runs are allowed",
+    ("study.design: has 16000000 points or more of 1 runs each, allowed: at most 10000000 runs",
      (*flow(f"values = {list(range(1, 4001))}"), *factor("inflator.0.temperature", f"values = {list(range(300, 4300))}"))),
-    *((f'{AT}:4:1: study.name: is ".*", a file name is allowed', [f'name = "{name}"'])
+    *((f'{AT}:4:1: study.name: is ".*", allowed: a file name', [f'name = "{name}"'])
       for name in ("../x", "/x", "a/b", ".", "..", "", r"a\nb", "x" * 256)),
     (f"{AT}:4:1: study.unknown: unknown key", ["unknown = 1"]),
     (f"{AT}:6:1: factor.0.level.0: has seeds or an amplitude, which need study.seeds", ("[[factor]]", 'name = "a"', *level("b", "seeds = 2"))),
@@ -218,7 +218,7 @@ def test_study_bad_seeds():
          *factor("gas.initial.temperature", "range = [290, 300]"), case="cases/sphere_inflation.toml")
     refused("study.design: has 24 points or more of 1000000 runs each", "study run plan.toml --out none")
     bag_plan(4, "[stop]", 'quantity = "peak_pressure_Pa"', "standard_error = 1")
-    for setting, says in (("seeds = 5", "factor.0.level.0.seeds: is 5, a whole number from 1 to 4"),
+    for setting, says in (("seeds = 5", "factor.0.level.0.seeds: is 5, allowed: a whole number from 1 to 4"),
                           ('set = ["membrane.perturbation=1e-3"]', 'level.0.set: holds "membrane.perturbation=1e-3", but seeds set the perturbation'),
                           ("seeds = 2", 'stop: decides on seeds, but the level "yes" has some of its own')):
         change("plan.toml", ('^name = "yes"', rf"\g<0>\n{setting}"), to="bad.toml")
@@ -234,7 +234,7 @@ def test_study_bad_folders():
     for share in ("0/3", "4/3", "1", "1/0", "a/b", "1/2/3"):
         refused(f"--share {share}: NUMBER/COUNT", f"study run plan.toml --share {share}")
     for command in ("study run", "ladder --quantity pressure", "ensemble", "cost"):
-        refused("/dev/null: is no regular file", f"{command} /dev/null --out none")
+        refused("/dev/null: is not a regular file: .* copy it to a file first", f"{command} /dev/null --out none")
     refused("holds no plan.toml", "study merge cases")
     expect(0, "1 points, 0 factors, 1 runs", "study run plan.toml --check")
     # One folder, one plan.

@@ -25,9 +25,9 @@ def test_exit_codes():
     assert all(has(f"tank/{file}") for file in ("history.csv", "energy.csv", "summary.json"))
     refused("^gasjet: .*not expected.*no-such-option", f"run {TANK} --no-such-option")
     refused("^gasjet: .*subcommand is required", "")
-    refused(r"^gasjet: 'no_such_command' is no command of gasjet, allowed are run, .*compare, .*\(see --help", "no_such_command")
-    refused("^gasjet: 'nope' is no command of mesh, allowed are driver, passenger, convert, case", "mesh nope")
-    refused("no.x1bsuch. is no command of gasjet", "", "no\x1bsuch")
+    refused(r"^gasjet: 'no_such_command' is not a command of gasjet, allowed: run, .*compare, .*\(see --help", "no_such_command")
+    refused("^gasjet: 'nope' is not a command of mesh, allowed: driver, passenger, convert, case", "mesh nope")
+    refused("no.x1bsuch. is not a command of gasjet", "", "no\x1bsuch")
     for command in (f"check {TANK}", f"check {TANK} --format json", "mesh passenger --out lost.obj", "exact tank_fill", "--version"):
         lost(command)
     expect(0, "ensemble", "--help")
@@ -75,7 +75,7 @@ def test_lost_output():
     refused("--out used/history.csv: would overwrite", "run used.toml --out used", "--set", 'inflator.0.mass_flow={file="used/history.csv",column="inflow_kg_s"}')
     os.makedirs("way/summary.json")
     expect(2, "--out .*way: summary.json is there, and gasjet has not written it", f"run {TANK} --out way")
-    expect(3, "no finite number", "run cases/plate_jet.toml --out inf --set inflator.0.mass_flow=1e300")
+    expect(3, "jet_force_N is not a finite number", "run cases/plate_jet.toml --out inf --set inflator.0.mass_flow=1e300")
     assert not re.search("(?i)'-?(nan|inf)", str([list(row.values()) for row in table("inf/history.csv")]))
     expect(0, "too coarse", "run cases/plate_jet.toml --out coarse --set target.rows=6 --set target.columns=6")
     expect(0, "delivers nothing", f"run {TANK} --out idle --set inflator.0.start_time=5")
@@ -102,22 +102,22 @@ SPHERE = "ensemble cases/sphere_inflation.toml --runs 2 --out out"
     ("gas.initial.temperature: .*1 to 1e5 .K.", f"check {TANK} --set gas.initial.temperature=1e300"),
     ("outside_temperature: .*1 to 1e5 .K.", "check cases/tank_backflow.toml --set gas.heat_loss.coefficient=1 --set gas.heat_loss.area=1"
      " --set gas.heat_loss.outside_temperature=1e300"),
-    ("scene.end_time: is 9e-10, 1e-9 or more .s. is allowed", f"check {TANK} --set scene.end_time=9e-10"),
+    ("scene.end_time: is 9e-10, allowed: 1e-9 or more .s.", f"check {TANK} --set scene.end_time=9e-10"),
     ("end_time: is missing", f"check {TANK} --set scene.end_time=0.01 --unset scene.end_time"),
-    (r"end_time: is missing, .* is needed; is 'end_tme' meant\?", f"check {TANK} --unset scene.end_time --set scene.end_tme=1"),
-    (r"volume: is missing, .* is needed; is 'voluem' meant\?", f"check {TANK} --unset tank.volume --set tank.voluem=1"),
+    (r"end_time: is missing, needed: .*; is 'end_tme' meant\?", f"check {TANK} --unset scene.end_time --set scene.end_tme=1"),
+    (r"volume: is missing, needed: .*; is 'voluem' meant\?", f"check {TANK} --unset tank.volume --set tank.voluem=1"),
     ("a key has more than 100 parts", f"check {TANK} --set {DEEP}=1"),
     ("a key has more than 100 parts", f"check {TANK} --set 'scene.name={{ {DEEP}=1 }}'"),
     (r"--set scene.xx+\.\.\.: scene.xx+\.\.\.: unknown key", f"check {TANK} --set scene.{'x' * 50000}=1"),
-    ("tank.volume: is .*, 1e-100 to 1e100 .m³. is allowed", f"check {TANK} --set tank.volume=1e308"),
-    ("tank.volume: is .*, 1e-100 to 1e100 .m³. is allowed", f"check {TANK} --set tank.volume=1e-320"),
+    ("tank.volume: is .*, allowed: 1e-100 to 1e100 .m³.", f"check {TANK} --set tank.volume=1e308"),
+    ("tank.volume: is .*, allowed: 1e-100 to 1e100 .m³.", f"check {TANK} --set tank.volume=1e-320"),
     ("part of the path", f"run {TANK} --out out --set scene.end_time.=1"),
     ("longer than 64 MiB", "run /dev/zero --out out"),
     ("another file name", f"{SPHERE} --against cases/sphere_inflation.toml"),
     ("no such file", f"{SPHERE} --against none.toml"),
     ("the scene has none", f"{SPHERE} --against {TANK}"),
     ("sets the perturbation itself", f"{SPHERE} --set membrane.perturbation=1e-6"),
-    ("--amplitude.*1e-18 to 1e-3 m is allowed", f"{SPHERE} --amplitude nan"),
+    ("--amplitude.*allowed: 1e-18 to 1e-3 m", f"{SPHERE} --amplitude nan"),
 ], ids=lambda value: value[:40])
 def test_bad_input(pattern, command):
     refused(pattern, command)
@@ -136,11 +136,11 @@ def test_bad_input_files():
         change("cases/passenger_pendulum.toml", (rf"^(\[+){name}\b", rf"\g<1>{name[:-1]}"), to="misspelt.toml")
         refused(rf"misspelt.toml:[0-9]+:[0-9]+: {name[:-1]}: unknown key, .*; is '{name}' meant\?", "check misspelt.toml")
     write("no_gas.toml", read("cases/pendulum_swing.toml"), "[gas]")
-    refused("no_gas.toml:[0-9]+:1: gas: names no gas", "check no_gas.toml")
+    refused("no_gas.toml:[0-9]+:1: gas: has no gas", "check no_gas.toml")
     write("deep.toml", DEEP + " = 1")
     refused("deep.toml:1:1: a key has more than 100 parts", "check deep.toml")
     write("vents.toml", read(TANK), *["[[vent]]"] * 1001)
-    refused("vent: has 1001 tables, at most 1000 are allowed", "check vents.toml")
+    refused("vent: has 1001 tables, allowed: at most 1000", "check vents.toml")
     expect(3, "gas_step", "run cases/tank_fixed_steps.toml --set time.gas_step=1e-9 --out small_steps")
     expect(0, "warning: inflator.1 delivers nothing before end_time",
            "ensemble cases/jet_bag.toml --runs 2 --quiet --set scene.end_time=1e-4 --out warned")
@@ -221,9 +221,9 @@ def test_exact():
         assert not re.search("(?im)(^|,)-?(nan|inf)", "\n".join(rows[1:])), name
     expect(0, "^# volume: 1$", "exact tank_fill --set volume=+1")
     for pattern, command in (
-            ("no_such", "no_such"), ("; is 'blowdown' meant.$", "blowdow"), ("'nan' is no finite number", "tank_fill --set volume=nan"),
+            ("no_such", "no_such"), ("; is 'blowdown' meant.$", "blowdow"), ("'nan' is not a finite number", "tank_fill --set volume=nan"),
             ("given twice", "tank_fill --set volume=1 --set volume=2"), ("--list: prints the whole catalogue", "tank_fill --list"),
-            ("--format csv: prints one NAME; of --list markdown or json", "--list --format csv"),
+            ("--format csv: prints one NAME; for --list use markdown or json", "--list --format csv"),
             ("--times.*is empty, first:last:step is needed", "tank_fill --times="), ("--times.*is empty", "--list --times="),
             ("prints --list only", "tank_fill --format markdown"), ("patch_angle", "pressed_balloon --times 1e-300"),
             ("overpressure", "pressed_balloon --set young_modulus=3"), ("no_such_parameter", "tank_fill --set no_such_parameter=1")):
@@ -238,16 +238,16 @@ CLOSED = "--set vent.0.backflow=false --unset ambient.composition --unset ambien
 @pytest.mark.parametrize("pattern, command", [
     (r"critical step .*fabric [0-9.e-]+, gas [0-9.e-]+, straps [0-9.e-]+, plate [0-9.e-]+\)", PASSENGER),
     (r"critical step .*alone: fabric [0-9.e-]+, gas [0-9.e-]+\)", "cases/sphere_inflation.toml"),
-    ("matters .* pressure on the impactor", PASSENGER),
+    ("matters .* pressure's on the impactor", PASSENGER),
     ("scene.end_time = 0.01", f"{TANK} --unset scene.end_time --set scene.end_time=0.01"),
     ("does not fill the volume", f"{PASSENGER} --set scene.end_time=0.001"),
     (r"inflator 0: at its peak \(t = 0.012 s\) 4 kg/s at 406 K, R 296.8 J/\(kg K\), gamma 1.3995", PASSENGER),
     (r"ambient.pressure \* = 101325$", "cases/piston_leak.toml"),  # which names none
     ("vents: choked at the start, choked from 1918", BLOWDOWN),
     # An empty volume has the gamma of the gas that fills it: of the initial composition, 7/5, or of an inflator's.
-    ("^gas: 0 kg at 0 Pa, 600 K, gamma 1.4 of what fills it$", f"{BLOWDOWN} {EMPTY}"),
+    ("^gas: 0 kg at 0 Pa, 600 K, gamma 1.4 of the gas that fills it$", f"{BLOWDOWN} {EMPTY}"),
     ("^vents: not choked at the start, choked from 191801 Pa at that gamma$", f"{BLOWDOWN} {EMPTY}"),
-    ("^gas: 0 kg .* gamma 1.6667 of what fills it$",
+    ("^gas: 0 kg .* gamma 1.6667 of the gas that fills it$",
      f"{BLOWDOWN} {EMPTY} --set 'inflator=[{{composition={{He=1.0}},mass_flow=1.0,temperature=500.0}}]'"),
     # Nothing flows from a vacuum into a vacuum.
     ("^vents: not choked at the start, choked above 0 Pa", f"{BLOWDOWN} {EMPTY} --set ambient.pressure=0.0"),
@@ -269,4 +269,4 @@ def test_check(pattern, command):
 def test_check_numbers():
     assert abs(as_json(f"check {BLOWDOWN} {EMPTY} --format json")["derived"]["gas_at_start"]["gamma"] - 1.4) < 1e-4
     # A warning names the inflator that is wrong.
-    refused("^warning: inflator.1.temperature is 7000 K: is that its unit", "check cases/tank_triggers.toml --set inflator.1.temperature=7000.0")
+    refused("^warning: inflator.1.temperature is 7000 K, usual are .*: check its unit", "check cases/tank_triggers.toml --set inflator.1.temperature=7000.0")

@@ -152,7 +152,7 @@ TEST(compare, what_cannot_be_said_is_undecided) {
     EXPECT_EQ(d.verdict, Verdict::undecided) << reason;
     EXPECT_NE(d.reason.find(reason), std::string::npos) << d.reason;
   };
-  undecided(mine, sampled(pulse, 101), "states no band");
+  undecided(mine, sampled(pulse, 101), "has no band");
   undecided(mine, sampled(pulse, 101, 1.0, 1.0, 2.0), "no common times");
   undecided(mine, sampled(pulse, 101, 2e4), "as wide as the signal");
   auto constant = sampled([](double) { return 300.0; }, 101);

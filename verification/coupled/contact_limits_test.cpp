@@ -109,7 +109,7 @@ TEST(contact_limits, skin_that_moves_a_thousand_radii_in_a_step_is_refused) {
   const auto run =
       run_case("passenger_sharp_no_jet", {"scene.gravity=[0.0, 0.0, -1e31]", "scene.end_time=2e-3"});
   ASSERT_EQ(run.outcome.status, driver::RunStatus::failed);
-  for (const char* word : {"stage S4_contact", "past the sphere's centre within one step, its limit is 41 m"})
+  for (const char* word : {"stage S4_contact", "past the sphere's centre within one step, the limit is 41 m"})
     EXPECT_NE(run.outcome.message.find(word), std::string::npos) << run.outcome.message;
 }
 

@@ -136,7 +136,7 @@ TEST(fabric_scene, straps_are_tied_to_the_panels_that_they_name) {
   };
   refused("",
           "membrane.strap.0.from: is nearest to nodes at one place of the panels \"back\", \"front\": "
-          "`from_panel`");
+          "set `from_panel` to one of them");
   refused("from_panel = \"back\"\n", "membrane.strap.0.to: is nearest");
   refused("from_panel = \"hub\"\n", "membrane.strap.0.from_panel: panel: \"hub\" does not exist");
   refused("from_panel = \"vent_left\"\n", "m from the nearest node");

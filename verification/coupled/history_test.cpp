@@ -110,13 +110,13 @@ TEST(history, bad_histories_are_refused_where_they_stand) {
   expect(head + "0,1\n1,1e400\n2,3\n", "mine.csv:4:3: '1e400'");
   expect(head + "0,1\n1,-1e100\n2,3\n", "accepted");
   expect(head + "0,1\n1,-1.01e100\n2,3\n",
-         "mine.csv:4:3: pressure_Pa: -1.01e+100 in SI units: a magnitude of at most 1e100");
+         "mine.csv:4:3: pressure_Pa: -1.01e+100 in SI units, allowed: a magnitude of at most 1e100");
   expect(head + "0,1\n1,+-2\n2,3\n", "mine.csv:4:3: '+-2'");
   expect(head + "0,1\n1,nan\n2,3\n", "mine.csv:4:3: 'nan'");
   expect(head + "0,1\n1\n2,3\n", "mine.csv:4:1: has 1 columns");
-  expect(head + "0,1\n1,2\n", "mine.csv:4:1: has 2 rows, 3 or more");
+  expect(head + "0,1\n1,2\n", "mine.csv:4:1: has 2 rows, needed: 3 or more");
   expect(head + "0,1,\n1,2,\n2,3,\n", "accepted");
-  expect(head + "0,1\n0,5,101,3\n2,3\n", "mine.csv:4:1: has 4 columns, the header 2");
+  expect(head + "0,1\n0,5,101,3\n2,3\n", "mine.csv:4:1: has 4 columns, but the header 2");
   expect("time_s,time_s\n0,1\n1,2\n2,3\n", "mine.csv:1:1: 'time_s' is more than one column");
   expect("t,pressure_Pa\n0,1\n1,2\n2,3\n", "mine.csv:1:1: time_s: no such column");
   expect("# nothing\n", "has no header row");
@@ -135,11 +135,13 @@ TEST(history, bad_maps_are_refused_where_they_stand) {
   };
   expect(csv, good + "\"p left\"\n", "accepted");
   expect(csv, good + "\"p*\"\n", "'p*' is more than one column: p left; p right");
-  expect(csv, good + "\"* *\"\n", "map.toml:6:1: quantity.0.column: is '* *', a name with at most one *");
+  expect(csv, good + "\"* *\"\n",
+         "map.toml:6:1: quantity.0.column: is '* *', allowed: a name with at most one *");
   expect(csv, good + "\"\"\n", "quantity.0.column: is ''");
   expect(csv, "format = \"csv\"\n[time]\ncolumn = \"t\"\n[[quantity]]\nname = \"\"\ncolumn = \"p left\"\n",
          "map.toml:5:1: quantity.0.name: is empty");
-  expect(csv, good + "\"p left\"\nscale = 0\n", "map.toml:7:1: quantity.0.scale: 0 forgets");
+  expect(csv, good + "\"p left\"\nscale = 0\n",
+         "map.toml:7:1: quantity.0.scale: is 0, which erases the column");
   expect(csv, good + "\"p left\"\nscale = 1e300\noffset = 1e308\n", "mine.csv:2:3: p left: ");
   expect(csv, good + "\"p left\"\nunit = \"Pa\"\n", "unknown key");
   expect(csv, good + "\"p left\"\n[[quantity]]\nname = \"pressure_Pa\"\ncolumn = \"p right\"\n",
@@ -151,7 +153,7 @@ TEST(history, bad_maps_are_refused_where_they_stand) {
   expect(log, abstat, "accepted");
   expect(log, abstat + "[[quantity]]\nname = \"p\"\ncolumn = \"speed\"\n", "has no 'speed'");
   expect(log, "format = \"abstat\"\nvolume_number = 3\n[time]\ncolumn = \"time\"\n",
-         "no such airbag, the first is 1");
+         "no such airbag; the first is 1");
   expect(csv, abstat, "no state of an abstat file");
   std::string numbered = kAbstat;
   numbered.replace(numbered.rfind("       1"), 8, "   1e300");

@@ -165,17 +165,18 @@ TEST(lsdyna_text, faults_have_a_place) {
   says("nodout", nodout({9}), "number = 0\n", "number");
   std::string torn = nodout({9});
   torn.replace(torn.find("E+00", 400), 4, "E+0*");
-  says("nodout", torn, "", "a finite number is allowed");
+  says("nodout", torn, "", "is not a finite number");
   const std::string whole = nodout({9});
   says("nodout", whole.substr(0, whole.size() - 20), "", "the row ends in field 8 of 9");
-  says("nodout", whole.substr(0, whole.rfind(" nodal point")), "", "the state has no z_racc, others have");
-  says("rbdout", rbdout({1}).substr(0, 330), "", "numbers, 6 are needed");
+  says("nodout", whole.substr(0, whole.rfind(" nodal point")), "",
+       "the state has no z_racc, but others have");
+  says("rbdout", rbdout({1}).substr(0, 330), "", "numbers, needed: 6");
   const std::string bodies = rbdout({1});
   const auto last = bodies.find("    velocities:", bodies.rfind(" rigid body"));
-  says("rbdout", bodies.substr(0, last), "", "others have");
+  says("rbdout", bodies.substr(0, last), "", "but others have");
   std::string short_row = rbdout({1});
   short_row.erase(short_row.find(" displacements:") + 40, 12);
-  says("rbdout", short_row, "", "has 5 numbers, 6 are needed");
+  says("rbdout", short_row, "", "has 5 numbers, needed: 6");
   says("csv", "time,x\n0,1\n", "number = 1\n", "number");
 }
 

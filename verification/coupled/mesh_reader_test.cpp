@@ -109,7 +109,7 @@ TEST(mesh_reader, a_case_warns_of_slivers) {
   EXPECT_EQ(warnings("0.4 0.4 0.2\n"), std::vector<std::string>{});
   const auto thin = warnings("0.499995 0.499995 0.00001\n");
   ASSERT_EQ(thin.size(), 1u);
-  EXPECT_TRUE(thin[0].starts_with("membrane.mesh: an element is 1.2e-05 m thin")) << thin[0];
+  EXPECT_TRUE(thin[0].starts_with("membrane.mesh: an element has an altitude of 1.2e-05 m")) << thin[0];
 }
 
 TEST(mesh_reader, binary_files_keep_every_bit) {
@@ -165,29 +165,31 @@ TEST(mesh_reader, bad_files_are_refused_with_their_line) {
        "a.ply:8:1: the header has no property y of a vertex"},
       {"a.ply", changed(kPly, "float y", "real y"), "a.ply:5:1: type real is not one of PLY"},
       {"a.ply", changed(kPly, "float y", "int y"), "a.ply:9:1: the header has no property y of a vertex"},
-      {"a.ply", changed(kPly, "1 0 0\n", "1 none 0\n"), "a.ply:11:1: what stands here is no number"},
+      {"a.ply", changed(kPly, "1 0 0\n", "1 none 0\n"), "a.ply:11:1: this is not a number"},
       {"a.ply", kPly.substr(0, kPly.size() - 4),
-       "a.ply:19:1: what stands here is no number or no vertex of the file, or the file ends"},
+       "a.ply:19:1: this is not a number or not a vertex of the file, or the file ends"},
       {"a.ply", changed(kPly, "4 0 3 2 1", "4 0 3 2 7"), "a.ply: element 0: node 7 is out of range, 0 to 4"},
       {"a.ply", changed(kPly, "4 0 3 2 1", "4 0 3 2 -1"), "a.ply: element 0: node -1 is out of range"},
       {"a.ply", kPly + "3 0 1 2\n",
-       "a.ply:20:1: the header announces element vertex 5, element face 5, and the file goes on for 8 bytes"},
+       "a.ply:20:1: the header announces element vertex 5, element face 5, but the file continues for 8 "
+       "bytes"},
       {"a.ply", changed(kPly, "face 5", "face 4"), "a.ply:19:1: the header announces"},
       {"a.ply", changed(kPly, "face 5", "face 1"), "a.ply:16:1: the header announces"},
       {"a.ply", changed(kPly, "face 5", "face 0"), "a.ply:15:1: the header announces"},
       {"a.ply", changed(kPly, "vertex 5", "vertex 4"), "a.ply:16:1: the header announces"},
       {"a.ply", changed(kPly, "vertex 5", "vertex 6"), "a.ply:"},
       {"a.ply", changed(kPly, "end_header", "element edge 1\nproperty int a\nend_header") + "7\n8\n",
-       "a.ply:23:1: the header announces element vertex 5, element face 5, element edge 1, and"},
+       "a.ply:23:1: the header announces element vertex 5, element face 5, element edge 1, but the file "
+       "continues for 2 bytes here; correct the header"},
       {"a.ply", binary_ply(mesh::icosphere(1.0, 0), false) + std::string("\x03\0\0\0\0", 5),
-       "a.ply: the header announces element vertex 12, element face 20, and the file goes on for 5 bytes; "
+       "a.ply: the header announces element vertex 12, element face 20, but the file continues for 5 bytes; "
        "correct the header"},
       {"a.ply", binary_ply(mesh::icosphere(1.0, 0), true) + std::string(13, '\1'), "for 13 bytes"},
-      {"a.ply", changed(kPly, "4 0 3 2 1", "5 0 3 2 1 4"), "an element of 5 corners; 3 or 4 are allowed"},
+      {"a.ply", changed(kPly, "4 0 3 2 1", "5 0 3 2 1 4"), "an element of 5 corners, allowed: 3 or 4"},
       {"a.off", "ply\n", "a.off:1:1: an OFF file begins with OFF"},
       {"a.stl", std::string(50, '\1'), "a.stl: neither STL text, which begins with solid, nor binary"},
       {"a.stl", binary_stl(mesh::icosphere(1.0, 0)).substr(0, 700),
-       "a.stl: binary STL tells of 20 facets, but holds 12 and a part of one"},
+       "a.stl: binary STL announces 20 facets, but has 12 and a part of one"},
   };
   for (const auto& file : files) {
     const std::string message = refusal(file.name, file.text);

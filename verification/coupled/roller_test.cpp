@@ -118,8 +118,7 @@ TEST(roller, faults_of_measured_curves_are_named) {
     EXPECT_NE(message.find(text), std::string::npos) << message;
   };
   says("warp_curve", "{strain=[0,0.1],value=[0,1e6]}", "accepted");
-  says("warp_curve", "{strain=[0.01,0.1],value=[0,1e6]}",
-       "warp_curve: begins at (0.01, 0), the point (0, 0)");
+  says("warp_curve", "{strain=[0.01,0.1],value=[0,1e6]}", "warp_curve: begins at (0.01, 0), allowed: (0, 0)");
   says("weft_curve", "{strain=[0,0.1],value=[1,1e6]}", "weft_curve: begins at (0, 1)");
   says("weft_curve", "{strain=[0,0.1,0.2],value=[0,1e6,1e6]}", "weft_curve: has the stress 1000000 Pa after");
   says("weft_curve", "{strain=[0,0.1,0.1],value=[0,1e6,2e6]}", "weft_curve");
@@ -148,7 +147,7 @@ TEST(roller, faults_are_named) {
   says("{directions=[\"x\"]}", "one of the two");
   says("{panels=[\"wall\"],low=[0,0,0],high=[1,1,1],directions=[\"x\"]}", "one of the two");
   says("{low=[0,0,0],directions=[\"x\"]}", "high");
-  says("{low=[1,1,1],high=[0,0,0],directions=[\"x\"]}", "holds no node");
+  says("{low=[1,1,1],high=[0,0,0],directions=[\"x\"]}", "box without a node");
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ TEST(ContactIdle, motion_far_beyond_what_was_told_is_refused) {
     go(-0.8 * kRadius, 1.6 * kRadius, 0.9 * kRadius);
     ADD_FAILURE();
   } catch (const coupling::ContactError& error) {
-    EXPECT_NE(std::string(error.what()).find("within one step, where 0.0123 m were expected"),
+    EXPECT_NE(std::string(error.what()).find("within one step, but only 0.0123 m were expected"),
               std::string::npos)
         << error.what();
   }

@@ -141,7 +141,7 @@ TEST(DeckReference, of_panels_cut_flat_is_named) {
     EXPECT_EQ(mesh.nodes, tetrahedron(1.0));
     ASSERT_EQ(mesh.neglected.size(), 1u);
     EXPECT_EQ(mesh.neglected[0],
-              "the reference shape, which has node 4 in two places, as panels that are cut flat have");
+              "the reference shape, which has node 4 in two places, as for panels cut flat");
   }
 }
 
@@ -195,7 +195,7 @@ TEST(DeckReference, faults_are_told_at_their_place) {
   expect_refused(kKeyword + "*AIRBAG_SHELL_REFERENCE_GEOMETRY\n1,1,1,3,22\n*END\n",
                  ":14:9: node 22 is in no list");
   expect_refused(kRadioss + "/XREF/1\nno Nitrs\n         2                  2.                  0.\n/END\n",
-                 "the card of Nitrs is due");
+                 "the card of Nitrs is missing");
   expect_refused(kRadioss + "/XREF/1/3\nx\n\n2,2,0,0\n/END\n", "units of their own");
   expect_refused(kRadioss + "/XREF\nx\n\n2,2,0,0\n/END\n", "the part's number is blank");
   expect_refused(kRadioss + "/REFSTA\nnone\n\n/END\n", "include: none: cannot be opened");

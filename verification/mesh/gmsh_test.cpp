@@ -54,7 +54,7 @@ TEST(Gmsh, bad_files_are_refused_with_line_and_column) {
       {{"", "bag:1:1: the file ends here"},
        {"v 0 0 0\n", "bag:1:1: \"v\" stands where $MeshFormat is needed"},
        {replaced(kOld, "2.2 0 8", "1.0 0 8"),
-        "bag:2:1: version \"1.0\" is not read here; allowed: 2.2 and 4.1"},
+        "bag:2:1: version \"1.0\" is not supported; allowed: 2.2 and 4.1"},
        {replaced(kOld, "2.2 0 8", "2.2 1 8"), "bag:2:5: a binary file; write it as ASCII"},
        {replaced(kOld, "\"front panel\"", "front"), "bag:7:5: \"front\" is not a name in quotes"},
        {replaced(kOld, "12 1 0 2", "11 1 0 2"), "bag:15:1: node 11 is repeated"},
@@ -65,8 +65,8 @@ TEST(Gmsh, bad_files_are_refused_with_line_and_column) {
        {replaced(kOld, "$Nodes\n7", "$Nodes\n77777777777"),
         "bag:10:1: the number of nodes is \"77777777777\""},
        {replaced(kOld, "1 2 12 11", "1 2 14 11"), "bag:25:15: node 14 is not in $Nodes"},
-       {replaced(kOld, "3 2 2 7 1", "3 4 2 7 1"), "bag:23:3: element type 4 is not read here"},
-       {replaced(kOld, "3 2 2 7 1", "3 9 2 7 1"), "bag:23:3: element type 9 is not read here"},
+       {replaced(kOld, "3 2 2 7 1", "3 4 2 7 1"), "bag:23:3: element type 4 is not supported"},
+       {replaced(kOld, "3 2 2 7 1", "3 9 2 7 1"), "bag:23:3: element type 9 is not supported"},
        {replaced(kNew, "3 7 1 40", "3 8 1 40"), "7 nodes, not the 8 announced"},
        {replaced(kNew, "7 7 1 7", "7 9 1 7"), "7 elements, not the 9 announced"},
        {replaced(kNew, "$EndEntities", "$EndElements"),
@@ -77,12 +77,12 @@ TEST(Gmsh, bad_files_are_refused_with_line_and_column) {
 
 // A panel is one group. Version 2 has an element once for each of its groups, version 4 a list of groups.
 TEST(Gmsh, a_surface_in_two_groups_is_refused_in_both_versions) {
-  const std::string says = "two physical groups, front_panel and physical_9; a panel is one group";
+  const std::string says = "two physical groups, front_panel and physical_9; remove it from one of them";
   const auto twice = [](const std::string& element) {
     return replaced(replaced(kOld, "$Elements\n7", "$Elements\n8"), "$EndElements",
                     element + "\n$EndElements");
   };
-  const std::string again = "bag:28:1: the element of line 24 is here again: it is in ";
+  const std::string again = "bag:28:1: the element of line 24 is repeated because it is in ";
   meshes::expect_refused(parse_gmsh,
                          {{twice("8 2 2 9 2 11 12 13"), again + says},
                           {twice("4 2 2 9 2 11 12 13"), again + says},      // of the same number
@@ -90,7 +90,7 @@ TEST(Gmsh, a_surface_in_two_groups_is_refused_in_both_versions) {
                           {twice("8 2 2 9 2 13 12 11"), again + says},      // wound the other way
                           {twice("8 2 4 9 2 1 0 11 12 13"), again + says},  // with tags of partitions
                           {twice("8 3 2 7 3 1 2 12 11"),
-                           "the element of line 25 is here again: it is in two physical groups, "
+                           "the element of line 25 is repeated because it is in two physical groups, "
                            "physical_9 and front_panel"},
                           {replaced(kNew, "1 1 2 1 -7 3", "1 1 2 2 -7 9 3"), "surface 2 is in " + says},
                           {replaced(kNew, "1 1 2 1 -7 3", "1 1 2 2 9 7 3"), "surface 2 is in " + says},

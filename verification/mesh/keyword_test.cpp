@@ -194,7 +194,7 @@ const Bad kBad[] = {
     {"tab_before_a_number", "*KEYWORD\n*NODE\n       1\t0.0             0.0\n", 3, 9, "a tab"},
     {"exponent_alone", kHead + "4,1D,0,0\n*END\n", 6, 3, "\"1D\" is not a number"},
     {"node_option", "*KEYWORD\n*NODE_TRANSFORM\n", 2, 1, "*NODE_TRANSFORM"},
-    {"other_columns", kHead + "*NODE %\n", 6, 7, "*NODE alone on its line is allowed"},
+    {"other_columns", kHead + "*NODE %\n", 6, 7, "*NODE must be alone on its line"},
     {"shell_columns", kHead + "*ELEMENT_SHELL (i10)\n", 6, 16, "after *ELEMENT_SHELL"},
     {"long_with_blanks", "*KEYWORD LONG = Y\n", 1, 10, "LONG=Y (20 columns)"},
     {"long_ids", "*KEYWORD LONG=K\n", 1, 10, "LONG=K"},

@@ -116,7 +116,7 @@ TEST(Obj, bad_files_are_refused_with_line_and_column) {
       {"v 0 0 1.5m\n", 1, 7, "not a number"},
       {"v 0 0 +-1\n", 1, 7, "not a number"},
       {"v 0,5 0 0\n", 1, 3, "not a number"},
-      {"# one\nv 0 0 0\nvertex 1 2 3\n", 3, 1, "not a statement"},
+      {"# one\nv 0 0 0\nvertex 1 2 3\n", 3, 1, "not a supported statement"},
       {"v 0 0 0\n  \x01\x02 1\n", 2, 3, "\"??\""},
       {"v 0 0 0\nv 1 0 0\nf 1 2\n", 3, 1, "3 or 4 corners"},
       {"v 0 0 0\nf -1 1 1 1 1\n", 2, 1, "3 or 4 corners"},

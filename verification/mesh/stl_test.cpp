@@ -99,7 +99,7 @@ TEST(Stl, bad_files_are_refused_with_line_and_column) {
        {"solid a\nendsolid a\n", "bag: the file has no facets"},
        {"facet", "bag:1:1: \"facet\" stands where solid is needed"},
        {replaced(good, "facet normal", "face normal"),
-        "bag:2:3: \"face\" stands where facet or endsolid is needed"},
+        "bag:2:3: \"face\" is found instead of facet or endsolid"},
        {replaced(good, "vertex 0 1 0", "vertex 0 one 0"), "bag:5:16: a coordinate: \"one\" is not a number"},
        {replaced(good, "vertex 0 1 0", "vertex 0 inf 0"), "bag:5:16: a coordinate: \"inf\" is not finite"},
        {replaced(good, "vertex 0 1 0", "vertex 0 1e999 0"),

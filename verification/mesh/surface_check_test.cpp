@@ -137,8 +137,7 @@ TEST(SurfaceCheck, sheets_on_each_other_are_flat_not_inward) {
   const SurfaceReport report = check(mesh);
   EXPECT_TRUE(report.flat);
   EXPECT_FALSE(report.ok());
-  EXPECT_EQ(report.describe(),
-            "no volume: the sheets lie on each other, and need an initial shape that is open\n");
+  EXPECT_EQ(report.describe(), "no volume: the sheets lie on each other; give an open initial shape\n");
   EXPECT_FALSE(check(mesh::icosphere(0.3, 3)).flat);
 }
 

@@ -115,7 +115,7 @@ TEST(Vtk, sections_without_values_are_read) {
     EXPECT_EQ(mesh.panel_names, std::vector<std::string>{"default"}) << rest;
   }
   meshes::expect_refused(parse_vtk, {{bare + "CELL_DATA 0\nSCALARS part int 1\nLOOKUP_TABLE default\n1 2 3\n",
-                                      "\"1\" is not a section read here"}});
+                                      "\"1\" is not a supported section"}});
 }
 
 TEST(Vtk, polydata_of_both_versions_are_the_same_tetrahedron) {
@@ -133,30 +133,30 @@ TEST(Vtk, bad_files_are_refused_with_line_and_column) {
       parse_vtk,
       {{"", "bag:1:1: the file ends here"},
        {"solid a", "bag:1:1: a legacy VTK file begins with # vtk DataFile Version"},
-       {replaced(kGrid, "ASCII", "BINARY"), "bag:3:1: \"BINARY\" is not read here; write the file as ASCII"},
+       {replaced(kGrid, "ASCII", "BINARY"), "bag:3:1: \"BINARY\" is not supported; write the file as ASCII"},
        {replaced(kGrid, "UNSTRUCTURED_GRID", "STRUCTURED_GRID"),
-        "bag:4:9: \"STRUCTURED_GRID\" is not read here"},
+        "bag:4:9: \"STRUCTURED_GRID\" is not supported"},
        {replaced(kGrid, "2 1 0 0 1 0\n", "2 1 0 0 one 0\n"), "bag:6:21: y: \"one\" is not a number"},
        {replaced(kGrid, "2 1 0 0 1 0\n", "2 1 0 0 nan 0\n"), "bag:6:21: y: \"nan\" is not finite"},
        {replaced(kGrid, "POINTS 9", "POINTS 999999999999"),
         "bag:5:8: the number of points is \"999999999999\""},
        {replaced(kGrid, "4 0 3 2 1", "4 0 3 2 9"),
-        "bag:10:9: a node is \"9\"; a whole number from 0 to 8 is allowed"},
+        "bag:10:9: a node is \"9\", allowed: a whole number from 0 to 8"},
        {replaced(kGrid, "CELLS 9 38", "CELLS 9 39"),
         "bag:8:1: the cells have 38 numbers, not the 39 announced"},
-       {replaced(kGrid, "3 9 8 9", "3 12 8 9"), "bag:10:1: cell type 12 is not read here"},
+       {replaced(kGrid, "3 9 8 9", "3 12 8 9"), "bag:10:1: cell type 12 is not supported"},
        {replaced(kGrid, "3 9 8 9", "3 5 8 9"), "bag:10:1: cell type 5 with 4 corners"},
        {replaced(kGrid, "CELL_TYPES 9", "CELL_TYPES 8"), "bag:18:1: 8 types for 9 cells"},
        {replaced(kGrid, "CELL_DATA 9", "CELL_DATA 8"), "bag:20:1: 8 values for 9 cells"},
-       {replaced(kGrid, "SCALARS part", "COLOURS part"), "\"COLOURS\" is not a section read here"},
+       {replaced(kGrid, "SCALARS part", "COLOURS part"), "\"COLOURS\" is not a supported section"},
        {replaced(kPolyData, "POLYGONS 4 16", "TRIANGLE_STRIPS 4 16"),
-        "\"TRIANGLE_STRIPS\" is not a section read here"},
+        "\"TRIANGLE_STRIPS\" is not a supported section"},
        {replaced(kPolyData, "POLYGONS 4 16\n3 0 2 1", "POLYGONS 4 15\n2 0 2"),
-        "a cell of 2 corners; 3 or 4 are allowed"},
+        "a cell of 2 corners, allowed: 3 or 4"},
        {replaced(kVersion5, "0 3 6 9 12", "0 3 6 9 11"),
         "the offsets do not go from 0 to the number of nodes, 12"},
        {replaced(kVersion5, "0 3 6 9 12", "0 6 3 9 12"), "bag:14:5: an offset is \"3\""},
-       {kPolyData + "LINES 1 3\n2 0 1\n", "bag:22:1: array panel stands before all cells of the file"},
+       {kPolyData + "LINES 1 3\n2 0 1\n", "bag:22:1: array panel comes before the end of the cells"},
        {kGrid.substr(0, kGrid.find("CELL_TYPES")), "CELL_TYPES is missing"},
        {kGrid.substr(0, kGrid.find("CELLS")), "bag: the file has no cells"}});
 }

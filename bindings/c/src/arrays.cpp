@@ -21,10 +21,9 @@ Stride stride_of(const int64_t* stride, int64_t count, std::string_view argument
   for (const int64_t apart : {given.row, given.component})
     if (apart > kMostApart || apart < -kMostApart)
       refuse(argument, "has the stride " + std::to_string(apart) +
-                           ", allowed: numbers of doubles from row to row and "
-                           "from component to component");
+                           ", allowed: counts of doubles from row to row and from component to component");
   if (given.component == 0 || (given.row == 0 && count > 1))
-    refuse(argument, "has a stride of 0, allowed: numbers that lead to other values");
+    refuse(argument, "has a stride of 0, allowed: a stride to other values");
   return given;
 }
 

@@ -47,7 +47,7 @@ int fail_by_exception() noexcept {
   } catch (const Failure& failure) {
     return fail(failure.status, failure.what());
   } catch (const std::bad_alloc&) {
-    return fail(GASJET_FAILED, "memory: not enough of it");
+    return fail(GASJET_FAILED, "memory: is exhausted, allowed: a smaller problem");
   } catch (const std::invalid_argument& error) {
     return fail(GASJET_BAD_INPUT, error.what());
   } catch (const std::runtime_error& error) {
@@ -55,7 +55,7 @@ int fail_by_exception() noexcept {
   } catch (const std::exception& error) {
     return fail(GASJET_FAILED, error.what());
   } catch (...) {
-    return fail(GASJET_FAILED, "an exception that is none of the standard's");
+    return fail(GASJET_FAILED, "an exception of unknown type");
   }
 }
 
@@ -72,14 +72,14 @@ std::shared_ptr<Object> find(gasjet_handle handle, std::string_view argument) {
   const auto found = all.objects.find(handle);
   if (found != all.objects.end()) return found->second;
   const bool was = handle > kHandlesBegin && handle <= all.last;
-  refuse(argument,
-         was ? "was freed, allowed: a handle that was not" : "is no handle, allowed: one that was created");
+  refuse(argument, was ? "was freed, allowed: a handle in use"
+                       : "is not a handle, allowed: a handle from a create function");
 }
 
 void release(gasjet_handle handle) {
   const std::shared_ptr<Object> object = find(handle, "handle");
   if (object->busy.test_and_set(std::memory_order_acquire))
-    throw Failure(GASJET_BUSY, "handle: is used by another thread, allowed: to free it afterwards");
+    throw Failure(GASJET_BUSY, "handle: is used by another thread, allowed: to free it later");
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
   all.objects.erase(handle);  // stays busy, so that a thread that found it just before gets an error

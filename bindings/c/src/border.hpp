@@ -103,7 +103,7 @@ template <class T>
 T& needed(T* pointer, std::string_view argument) {
   if (pointer == nullptr) refuse(argument, "is NULL, allowed: an address");
   if (reinterpret_cast<std::uintptr_t>(pointer) % alignof(T) != 0)
-    refuse(argument, "begins between two numbers, allowed: an address that its numbers' size divides");
+    refuse(argument, "is not aligned to the size of its elements, allowed: an aligned address");
   return *pointer;
 }
 std::string text(const char* pointer, std::string_view argument);
@@ -120,7 +120,7 @@ double number(double value, std::string_view argument, double low = -std::numeri
 double positive(double value, std::string_view argument);
 
 inline std::string not_finite(std::string_view name) {
-  return std::string(name) + ": is not finite, allowed: inputs that keep it below 1e308";
+  return std::string(name) + ": is not finite, allowed: inputs with a finite result";
 }
 /// Returns the result, a number or a structure of numbers; GASJET_DOMAIN if one is not finite.
 template <class Result>

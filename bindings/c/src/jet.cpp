@@ -26,7 +26,7 @@ void check_sizes(const gasjet_jet_model& given) {
   const bool cone = !std::isnan(given.cone_initial_width);
   if (!round && !sides) refuse("radius", "is not given, allowed: radius, or short_side and long_side");
   if (round && sides)
-    refuse("radius", "is given beside short_side or long_side, allowed: radius, or short_side and long_side");
+    refuse("radius", "is given with short_side or long_side, allowed: radius, or short_side and long_side");
   if (!cone && !std::isnan(given.cone_half_angle))
     refuse("cone_half_angle", "is given without cone_initial_width, allowed: both, or neither");
 }
@@ -77,7 +77,7 @@ struct Skin {
         3 * std::clamp<int64_t>(triangle_count, 0, std::numeric_limits<int>::max()) + kOtherNodes;
     if (nodes > most)
       refuse("node_count", "is " + std::to_string(nodes) + ", allowed: at most " + std::to_string(most) +
-                               " with so many triangles");
+                               " for this number of triangles");
     return nodes;
   }
   static constexpr int64_t kOtherNodes = 20'000'000;  // nodes of other parts of the user's model

@@ -38,7 +38,7 @@ membrane::BagDescription description_of(const Points& reference, Eigen::Matrix3X
   if (fabric.law != GASJET_SAINT_VENANT_KIRCHHOFF && fabric.law != GASJET_HENCKY)
     refuse("fabric.law", "is " + std::to_string(fabric.law) + ", allowed: a gasjet_fabric_law, 0 or 1");
   if (fabric.law == GASJET_HENCKY && fabric.wrinkles == 0)
-    refuse("fabric.wrinkles", "is 0 with the law of Hencky, which carries no compression, allowed: not 0");
+    refuse("fabric.wrinkles", "is 0, allowed with the Hencky law: not 0, because it carries no compression");
   if (fabric.law == GASJET_HENCKY) bag.law = "hencky";
   bag.compression = fabric.wrinkles != 0 ? membrane::Compression::none : membrane::Compression::linear;
   return bag;

@@ -134,7 +134,7 @@ void judge(const driver::RunOutcome& outcome, const Callback& callback) {
   if (callback.thrown())
     throw Failure(GASJET_STOPPED, "progress: threw an exception, allowed: to return a number");
   if (outcome.status == driver::RunStatus::interrupted)
-    throw Failure(GASJET_STOPPED, "progress: asked to stop");
+    throw Failure(GASJET_STOPPED, "progress: stopped the run");
   if (outcome.status == driver::RunStatus::inaccurate)
     throw Failure(GASJET_DOMAIN, "inaccurate: " + outcome.message);
   if (outcome.status == driver::RunStatus::failed) throw Failure(GASJET_DOMAIN, outcome.message);
@@ -223,7 +223,7 @@ int gasjet_run_find(gasjet_handle run, int table, const char* name, const double
       }
       there += (c == 0 ? "" : ", ") + asked.columns[c].name;
     }
-    refuse("name", "'" + wanted + "' is no column, allowed: " + there);
+    refuse("name", "'" + wanted + "' is not a column, allowed: " + there);
   });
 }
 

@@ -127,7 +127,7 @@ template <class Add>
 int add_part(gasjet_handle tank, Add&& add) {
   return call([&] {
     const Use<Tank> use(tank, "tank");
-    if (use->started) refuse("tank", "has begun, allowed: to add parts before the first gasjet_tank_advance");
+    if (use->started) refuse("tank", "has begun, allowed: parts before the first gasjet_tank_advance");
     Parts parts = use->parts;
     add(parts);
     Tank made(std::move(parts));

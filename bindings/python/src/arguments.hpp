@@ -20,7 +20,7 @@ std::string allowed() {
   if constexpr (std::is_same_v<A, std::string>) return "a text without a NUL";
   if constexpr (std::is_same_v<A, std::optional<std::string>>) return "a text without a NUL, or None";
   if constexpr (std::is_same_v<A, std::array<double, 3>>) return "three numbers";
-  return "an object or array of the kind that its function names";
+  return "an object or array of the documented kind";
 }
 
 /// A value in a message: itself if short, otherwise its type.

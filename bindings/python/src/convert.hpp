@@ -38,7 +38,7 @@ struct Rows {
       array = py::array_t<Number>::ensure(given);
       if (!array) {
         PyErr_Clear();
-        wrong_type(argument, std::string("is no array, allowed: (n, 3) of ") + dtype);
+        wrong_type(argument, std::string("is not an array, allowed: (n, 3) of ") + dtype);
       }
     } else {
       array = py::reinterpret_borrow<py::array>(given);

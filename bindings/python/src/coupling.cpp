@@ -57,7 +57,7 @@ Owner contact(const py::object& reference, const py::object& elements, const Num
   const Points x = points(reference, "reference");
   const Triangles t = triangles(elements);
   if (masses.size() != x.count())
-    wrong_type("masses", "are " + std::to_string(masses.size()) + " numbers, allowed: one a node, " +
+    wrong_type("masses", "are " + std::to_string(masses.size()) + " numbers, allowed: one per node, " +
                              std::to_string(x.count()));
   gasjet_handle handle = 0;
   unlocked([&] {

@@ -67,7 +67,7 @@ void add_inflow(const Handle& tank, const Handle& gas, const Numbers& time, cons
   if (mass_flow.size() != time.size() || temperature.size() != time.size())
     wrong_type("time, mass_flow, temperature",
                "have " + std::to_string(time.size()) + ", " + std::to_string(mass_flow.size()) + " and " +
-                   std::to_string(temperature.size()) + " numbers, allowed: as many of each");
+                   std::to_string(temperature.size()) + " numbers, allowed: equal numbers of each");
   check(gasjet_tank_add_inflow(tank.value, gas.value, time.size(), time.data(), mass_flow.data(),
                                temperature.data(), start_time));
 }

@@ -18,21 +18,24 @@ void check_knots(const CurveData& curve, bool jumps,
                  const std::function<void(std::size_t, const std::string&)>& fail) {
   const auto& time = curve.time;
   if (curve.time.size() != curve.value.size())
-    fail(0, fmt::format("has {} knots and {} values, as many are needed", time.size(), curve.value.size()));
+    fail(0, fmt::format("has {} knots and {} values, equal numbers are needed", time.size(),
+                        curve.value.size()));
   if (time.size() < 2)
-    fail(0, fmt::format("has {} knot{}, 2 or more are needed", time.size(), time.size() == 1 ? "" : "s"));
+    fail(0, fmt::format("has {} knot{}, needed: 2 or more", time.size(), time.size() == 1 ? "" : "s"));
   for (std::size_t i = 1; i < time.size(); ++i) {
     if (!(time[i] > time[i - 1]) && !(jumps && time[i] == time[i - 1]))
-      fail(i, fmt::format("knot {} at {} follows {}: knots in {}rising order are allowed", i + 1, time[i],
+      fail(i, fmt::format("knot {} at {} follows {}, allowed: knots in {}rising order", i + 1, time[i],
                           time[i - 1], jumps ? "" : "strictly "));
     if (i > 1 && time[i] == time[i - 2])
-      fail(i, fmt::format("knot {} at {} is the third there: a jump, two knots at one time, is allowed",
-                          i + 1, time[i]));
+      fail(i, fmt::format("knot {} at {} is the third there, allowed: a jump, two knots at one time", i + 1,
+                          time[i]));
     const double slope = (curve.value[i] - curve.value[i - 1]) / (time[i] - time[i - 1]);
     if (time[i] > time[i - 1] && !std::isfinite(slope))
-      fail(i, fmt::format("knots {} and {} are so close that their slope overflows: a jump has two knots at "
-                          "one time",
-                          i, i + 1));
+      fail(
+          i,
+          fmt::format(
+              "knots {} and {} are so close that their slope overflows: for a jump use two knots at one time",
+              i, i + 1));
   }
 }
 
@@ -69,8 +72,8 @@ CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string&
     }
     for (const double value : curve.value)
       if (value < bounds.low || value > bounds.high || (bounds.open_low && value == bounds.low))
-        fail(fmt::format("{} holds {}, {} is allowed", file.string(), value,
-                         with_unit(bounds.text, bounds.unit)));
+        fail(
+            fmt::format("{} has {}, allowed: {}", file.string(), value, with_unit(bounds.text, bounds.unit)));
   } else {
     curve.time = reader.at(abscissa).numbers(any_number.in(unit_of_abscissa(abscissa)));
     curve.value = reader.at("value").numbers(bounds);
@@ -110,7 +113,7 @@ std::map<std::string, double> KeyReader::composition() {
     sum += fractions[name] = reader.at(name).number(positive_fraction);
   }
   // Fractions are typed by hand: nine digits distinguish a slip from rounding.
-  if (std::abs(sum - 1.0) > 1e-9) fail(fmt::format("fractions sum to {}, 1 is allowed", sum));
+  if (std::abs(sum - 1.0) > 1e-9) fail(fmt::format("fractions sum to {}, allowed: 1", sum));
   return fractions;
 }
 

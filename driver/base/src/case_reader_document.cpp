@@ -65,7 +65,7 @@ toml::table parse_override_value(const std::string& override_text, const std::st
   const std::string name = option_of(override_text);
   try {
     toml::table parsed = toml::parse("value = " + value, name);
-    if (parsed.size() != 1) throw CaseError(fmt::format("{}: one value is allowed", name));
+    if (parsed.size() != 1) throw CaseError(fmt::format("{}: allowed: one value", name));
     return parsed;
   } catch (const toml::parse_error& error) {
     // Only a bare word becomes a string.
@@ -123,10 +123,10 @@ std::size_t entry_of(const toml::array& list, const Path& parts, std::size_t i, 
   const std::size_t begin = index || !list[0].is_table() ? i + 1 : i;
   const std::string tail = begin < parts.size() ? "." + joined(parts, begin, parts.size()) : "";
   const auto with = [&](std::size_t number) { return fmt::format("{}.{}{}", head, number, tail); };
-  throw CaseError(fmt::format(
-      "{}: {} is a list of {}: {}", option, head, list.size() == 1 ? "one" : fmt::format("{}", list.size()),
-      list.size() == 1 ? with(0) + " is allowed"
-                       : fmt::format("{} to {} are allowed", with(0), with(list.size() - 1))));
+  throw CaseError(
+      fmt::format("{}: {} is a list of {}, allowed: {}", option, head,
+                  list.size() == 1 ? "one" : fmt::format("{}", list.size()),
+                  list.size() == 1 ? with(0) : fmt::format("{} to {}", with(0), with(list.size() - 1))));
 }
 
 // The node that part i of a path names inside `parent`. Makes a missing table; the strict reader checks it
@@ -141,7 +141,7 @@ toml::node& descend(toml::node& parent, const Path& parts, std::size_t i, const 
   if (auto* array = parent.as_array())
     return *array->get(entry_of(*array, parts, i, option_of(override_text)));
   throw CaseError(
-      fmt::format("{}: nothing stands below the key before '{}'", option_of(override_text), shortened(key)));
+      fmt::format("{}: the key before '{}' has no parts", option_of(override_text), shortened(key)));
 }
 
 void unset(toml::table& root, const std::string& path) {
@@ -156,7 +156,7 @@ void unset(toml::table& root, const std::string& path) {
   }
   if (auto* array = node ? node->as_array() : nullptr;
       array && entry_of(*array, parts, parts.size() - 1, option) < array->size())
-    throw CaseError(option + ": one entry of a list; a key, a table or a whole list is allowed");
+    throw CaseError(option + ": is one entry of a list, allowed: a key, a table or a whole list");
   if (!node || !node->is_table() || node->as_table()->erase(parts.back().key) == 0)
     throw CaseError(option + ": the case has no such key");
 }
@@ -192,7 +192,7 @@ void apply_override(toml::table& root, const std::string& text) {
     array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(entry), std::move(*value.get("value")));
   } else {
     throw CaseError(
-        fmt::format("{}: the key before '{}' is no table", option_of(text), shortened(parts.back().key)));
+        fmt::format("{}: the key before '{}' is not a table", option_of(text), shortened(parts.back().key)));
   }
 }
 
@@ -206,7 +206,7 @@ void refuse_nul(const toml::node& node, const std::string& key) {
   if (has_nul(key) || (text && has_nul(text->get()))) {
     const auto at = node.source().begin;
     const std::string file = node.source().path ? *node.source().path : "";
-    throw CaseError(fmt::format("{}{}: {}: holds a NUL (\\u0000), a text without one is allowed", file,
+    throw CaseError(fmt::format("{}{}: {}: has a NUL (\\u0000), allowed: a text without one", file,
                                 at.line > 0 ? fmt::format(":{}:{}", at.line, at.column) : "", key));
   }
   if (const auto* table = node.as_table())

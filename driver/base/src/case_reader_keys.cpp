@@ -44,10 +44,10 @@ void KeyReader::remember(const std::string& value, bool is_default) {
 double KeyReader::checked(const toml::node& node, Bounds bounds) const {
   const auto value = node.value<double>();
   if (!node.is_number() || !value)
-    fail(fmt::format("is {}, {} is allowed", type_name(node), with_unit(bounds.text, bounds.unit)));
+    fail(fmt::format("is {}, allowed: {}", type_name(node), with_unit(bounds.text, bounds.unit)));
   const bool too_low = bounds.open_low ? *value <= bounds.low : *value < bounds.low;
   if (!std::isfinite(*value) || too_low || *value > bounds.high)
-    fail(fmt::format("is {}, {} is allowed", *value, with_unit(bounds.text, bounds.unit)));
+    fail(fmt::format("is {}, allowed: {}", *value, with_unit(bounds.text, bounds.unit)));
   return *value;
 }
 
@@ -79,7 +79,7 @@ int KeyReader::integer(int low, int high, int fallback) {
   const auto value = node ? node->value_exact<std::int64_t>() : std::optional<std::int64_t>(fallback);
   if (!value || *value < low || *value > high) {
     const std::string given = !value ? type_name(*node) : fmt::format("{}", *value);
-    fail(fmt::format("is {}, a whole number from {} to {} is allowed", given, low, high));
+    fail(fmt::format("is {}, allowed: a whole number from {} to {}", given, low, high));
   }
   remember(fmt::format("{}", *value), node == nullptr);
   return static_cast<int>(*value);
@@ -88,7 +88,7 @@ int KeyReader::integer(int low, int high, int fallback) {
 bool KeyReader::flag(bool fallback) {
   const toml::node* node = table_->find(key_, "", "true or false", fallback ? "true" : "false");
   const auto value = node ? node->value_exact<bool>() : std::optional<bool>(fallback);
-  if (!value) fail(fmt::format("is {}, true or false is allowed", type_name(*node)));
+  if (!value) fail(fmt::format("is {}, allowed: true or false", type_name(*node)));
   remember(*value ? "true" : "false", node == nullptr);
   return *value;
 }
@@ -98,7 +98,7 @@ std::string KeyReader::read_text(const std::string& allowed, const std::string& 
   const toml::node* node = fallback.empty() ? &table_->require(key_, "", allowed)
                                             : table_->find(key_, "", allowed, quoted(fallback));
   const auto value = node ? node->value_exact<std::string>() : std::optional<std::string>(fallback);
-  if (!value) fail(fmt::format("is {}, a string is allowed", type_name(*node)));
+  if (!value) fail(fmt::format("is {}, allowed: a string", type_name(*node)));
   remember(quoted(*value), !node);
   return *value;
 }
@@ -113,9 +113,9 @@ std::string file_name(TableReader& table, const std::string& key, const std::str
   const auto is_barred = [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == 0x7f; };
   if (name.empty() || name == "." || name == ".." || name.size() > longest ||
       std::ranges::any_of(name, is_barred))
-    table.fail(key,
-               fmt::format("is {}, a file name is allowed: {} bytes at most, no / and no control characters",
-                           quoted(shortened(name)), longest));
+    table.fail(
+        key, fmt::format("is {}, allowed: a file name of at most {} bytes, without / and control characters",
+                         quoted(shortened(name)), longest));
   return name;
 }
 
@@ -123,7 +123,7 @@ std::size_t KeyReader::choice_index(const std::vector<std::string>& names, const
   const std::string allowed = fmt::format("one of \"{}\"", fmt::join(names, "\", \""));
   const std::string value = read_text(allowed, fallback);
   const auto found = std::find(names.begin(), names.end(), value);
-  if (found == names.end()) fail(fmt::format("is \"{}\", {} is allowed", shortened(value), allowed));
+  if (found == names.end()) fail(fmt::format("is \"{}\", allowed: {}", shortened(value), allowed));
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -132,7 +132,7 @@ std::vector<double> KeyReader::numbers(Bounds bounds) {
 }
 
 std::vector<double> KeyReader::numbers_of(const toml::node& node, Bounds bounds) {
-  if (!node.is_array()) fail(fmt::format("is {}, an array of numbers is allowed", type_name(node)));
+  if (!node.is_array()) fail(fmt::format("is {}, allowed: an array of numbers", type_name(node)));
   std::vector<double> values;
   for (const toml::node& element : *node.as_array()) values.push_back(checked(element, bounds));
   remember(fmt::format("[{}]", fmt::join(values, ", ")), false);
@@ -142,17 +142,17 @@ std::vector<double> KeyReader::numbers_of(const toml::node& node, Bounds bounds)
 std::vector<int> KeyReader::some_of(std::span<const int> allowed) {
   const auto words = fmt::format("an array of {}", fmt::join(allowed, ", "));
   const toml::node* node = table_->find(key_, "", words, "none");
-  if (node && !node->is_array()) fail(fmt::format("is {}, {} is allowed", type_name(*node), words));
+  if (node && !node->is_array()) fail(fmt::format("is {}, allowed: {}", type_name(*node), words));
   std::vector<int> values;
   if (node)
     for (const toml::node& element : *node->as_array()) {
       const auto value = element.value_exact<std::int64_t>();
       const auto found = value ? std::ranges::find(allowed, *value) : allowed.end();
       if (found == allowed.end())
-        fail(fmt::format("holds {}, {} is allowed", value ? fmt::format("{}", *value) : type_name(element),
+        fail(fmt::format("has {}, allowed: {}", value ? fmt::format("{}", *value) : type_name(element),
                          words));
       if (std::ranges::find(values, *found) != values.end())
-        fail(fmt::format("has {} twice, once is allowed", *found));
+        fail(fmt::format("has {} twice, allowed: once", *found));
       values.push_back(*found);
     }
   std::ranges::sort(values);
@@ -162,7 +162,7 @@ std::vector<int> KeyReader::some_of(std::span<const int> allowed) {
 
 Eigen::Vector3d KeyReader::vector_of(const toml::node& node) {
   const auto values = numbers_of(node, any_number);
-  if (values.size() != 3) fail(fmt::format("has {} numbers, 3 are needed", values.size()));
+  if (values.size() != 3) fail(fmt::format("has {} numbers, needed: 3", values.size()));
   for (const double x : values)
     if (x != 0.0 && !(std::abs(x) >= 1e-100 && std::abs(x) <= 1e100))  // so that products stay normal numbers
       fail(fmt::format("has {}, allowed: 0, or a magnitude of 1e-100 to 1e100", x));
@@ -183,12 +183,12 @@ Eigen::Vector3d KeyReader::vector(const char* unit, const Eigen::Vector3d& fallb
 
 std::vector<std::string> KeyReader::texts(const char* in_words) {
   const toml::node* node = table_->find(key_, "", "an array of strings", in_words);
-  if (node && !node->is_array()) fail(fmt::format("is {}, an array of strings is allowed", type_name(*node)));
+  if (node && !node->is_array()) fail(fmt::format("is {}, allowed: an array of strings", type_name(*node)));
   std::vector<std::string> values, written;
   if (node)
     for (const toml::node& element : *node->as_array()) {
       const auto value = element.value_exact<std::string>();
-      if (!value) fail(fmt::format("holds {}, strings are allowed", type_name(element)));
+      if (!value) fail(fmt::format("has {}, allowed: strings", type_name(element)));
       values.push_back(*value);
       written.push_back(quoted(*value));
     }
@@ -198,7 +198,7 @@ std::vector<std::string> KeyReader::texts(const char* in_words) {
 
 std::vector<KeyReader::Element> KeyReader::elements() {
   const toml::node& node = table_->require(key_, "", "an array");
-  if (!node.is_array() || node.as_array()->empty()) fail("is no array of one value or more");
+  if (!node.is_array() || node.as_array()->empty()) fail("is not an array with at least one value");
   std::vector<Element> elements;
   for (const toml::node& element : *node.as_array()) {
     if (element.is_number()) {

@@ -122,14 +122,14 @@ const toml::node& TableReader::require(const std::string& key, const std::string
   const toml::node* node = find(key, unit, allowed, log_->may_be_absent.contains(join(key)) ? "" : "needed");
   if (node) return *node;
   const std::string message =
-      fmt::format("is missing, {} is needed", in_short ? in_short : with_unit(allowed, unit));
+      fmt::format("is missing, needed: {}", in_short ? in_short : with_unit(allowed, unit));
   const std::string meant = misspelt(key);
   if (meant.empty()) fail(key, message);
   throw CaseError(fmt::format("{}: {}; is '{}' meant?", label(key, meant), message, meant));
 }
 
 TableReader TableReader::below(const std::string& key, const toml::node& node) const {
-  if (!node.is_table()) fail(key, fmt::format("is {}, a table is allowed", type_name(node)));
+  if (!node.is_table()) fail(key, fmt::format("is {}, allowed: a table", type_name(node)));
   return {*node.as_table(), join(key), where_, *log_};
 }
 
@@ -150,11 +150,11 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
   std::vector<TableReader> readers;
   if (!node) return readers;
   if (!node->is_array())
-    fail(key, fmt::format("is {}, an array of tables ([[{}]]) is allowed", type_name(*node), key));
+    fail(key, fmt::format("is {}, allowed: an array of tables ([[{}]])", type_name(*node), key));
   if (node->as_array()->size() > most_tables)
-    fail(key, fmt::format("has {} tables, at most {} are allowed", node->as_array()->size(), most_tables));
+    fail(key, fmt::format("has {} tables, allowed: at most {}", node->as_array()->size(), most_tables));
   for (const toml::node& element : *node->as_array()) {
-    if (!element.is_table()) fail(key, fmt::format("holds {}, tables are allowed", type_name(element)));
+    if (!element.is_table()) fail(key, fmt::format("has {}, allowed: tables", type_name(element)));
     readers.emplace_back(*element.as_table(), fmt::format("{}.{}", join(key), readers.size()), where_, *log_);
   }
   return readers;

@@ -96,10 +96,10 @@ std::vector<std::size_t> find_columns(const std::vector<CsvCell>& header, const 
 double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std::filesystem::path& file,
                    std::size_t line) {
   if (index >= row.size())
-    fail_at(file, line, 1, fmt::format("has {} columns, {} are needed", row.size(), index + 1));
+    fail_at(file, line, 1, fmt::format("has {} columns, needed: {}", row.size(), index + 1));
   const CsvCell& cell = row[index];
   const auto value = file_number_of(cell.text);
-  if (!value) fail_at(file, line, cell.column, fmt::format("'{}': a finite number is allowed", cell.text));
+  if (!value) fail_at(file, line, cell.column, fmt::format("'{}' is not a finite number", cell.text));
   return *value;
 }
 
@@ -107,7 +107,7 @@ double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std
 void check_width(const std::vector<CsvCell>& row, std::size_t width, const std::filesystem::path& file,
                  std::size_t line) {
   const std::size_t cells = filled(row);
-  if (cells > width) fail_at(file, line, 1, fmt::format("has {} columns, the header {}", cells, width));
+  if (cells > width) fail_at(file, line, 1, fmt::format("has {} columns, but the header {}", cells, width));
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ std::optional<std::string> comment_of(const std::string& line) {
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header) {
   const bool other_separator = header.size() == 1 && header.front().find_first_of(";\t") != std::string::npos;
   return fmt::format("{}: no such column, the header has {}{}", name, fmt::join(header, ", "),
-                     other_separator ? "; commas are needed between columns" : "");
+                     other_separator ? "; put commas between columns" : "");
 }
 
 CsvHeader read_csv_header(const std::filesystem::path& file) {

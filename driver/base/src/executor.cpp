@@ -64,9 +64,9 @@ void require_threads(int threads) {
   } catch (const std::system_error&) {
     const std::size_t most = started.size() + 1;
     end();
-    throw std::runtime_error(fmt::format(
-        "threads: is {}, this system lets {} run (limits of memory or processes), fewer are allowed", threads,
-        most));
+    throw std::runtime_error(
+        fmt::format("threads: is {}, but this system runs only {} (limits of memory or processes): use fewer",
+                    threads, most));
   }
   end();
 }
@@ -74,7 +74,7 @@ void require_threads(int threads) {
 }  // namespace
 
 Executor::Executor(int threads) : threads_(threads) {
-  if (threads < 1) throw std::invalid_argument(fmt::format("threads: is {}, 1 or more is allowed", threads));
+  if (threads < 1) throw std::invalid_argument(fmt::format("threads: is {}, allowed: 1 or more", threads));
   if (threads == 1) return;
   require_threads(threads);
   arena_ = std::make_unique<Arena>(threads);

@@ -100,7 +100,7 @@ void GrowingFile::append(std::string_view rows) {
   if (written.error == 0) return;
   const std::size_t whole = rows.substr(0, written.count).rfind('\n') + 1;  // 0 if there is none
   const bool cut = before >= 0 && ::ftruncate(descriptor_, before + static_cast<off_t>(whole)) == 0;
-  fail(file_, cut ? "write failed" : "write failed, its last row is torn", written.error);
+  fail(file_, cut ? "write failed" : "write failed, its last row is incomplete", written.error);
 }
 
 }  // namespace driver

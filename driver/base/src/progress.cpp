@@ -69,8 +69,7 @@ std::string text_of(const std::exception& error) {
       most.rlim_cur == RLIM_INFINITY
           ? "the system's limit"
           : fmt::format("the limit of {:.0f} MiB", static_cast<double>(most.rlim_cur) / mebibyte);
-  return fmt::format(
-      "out of memory: {:.0f} MiB of addresses are in use, and what is needed next is beyond {}", used, limit);
+  return fmt::format("out of memory: {:.0f} MiB of addresses are in use, and more exceeds {}", used, limit);
 }
 
 void tell(const std::string& line) {

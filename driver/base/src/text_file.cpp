@@ -17,7 +17,7 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8, writt
 std::ifstream open_text(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
-    throw FileError(fmt::format("{}: is a folder, a file is expected", file.string()));
+    throw FileError(fmt::format("{}: is a folder, expected: a file", file.string()));
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw FileError(fmt::format("{}: no such file, or not readable", file.string()));
   return stream;
@@ -50,10 +50,9 @@ bool LineReader::next(std::string& line) {
   // Ends of lines of old Macs: the whole file would be one line, perhaps a comment.
   if (const auto at = line.find('\r');
       at != std::string::npos && line.find_first_not_of('\r', at) != std::string::npos)
-    throw FileError(
-        fmt::format("{}:{}:{}: a carriage return within a line: lines that end with a line feed, or "
-                    "with both, are allowed",
-                    file_.string(), number_, at + 1));
+    throw FileError(fmt::format(
+        "{}:{}:{}: a carriage return within a line, allowed: lines that end with a line feed, or with both",
+        file_.string(), number_, at + 1));
   return true;
 }
 

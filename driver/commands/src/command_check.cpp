@@ -168,8 +168,7 @@ void print_jet(const Scene& scene, const JetPart& part) {
 void print_forecast(const Forecast& f) {
   if (f.full && !f.full->fills)
     fmt::print(
-        "\nwhat flows in up to the end does not fill the volume: {:.4g} Pa in {:.4g} m3, below ambient "
-        "(K.30)\n",
+        "\nthe inflow up to the end does not fill the volume: {:.3g} Pa in {:.3g} m3, below ambient (K.30)\n",
         f.full->closed_pressure, f.full->volume);
   if (f.groups.empty()) return;
   fmt::print("\nforecast (sizes: 0.1 matters, 0.01 shows, below negligible)\n");
@@ -200,7 +199,7 @@ int check(const CaseArguments& arguments, const std::string& format) {
   if (scene.has_volume())
     fmt::print("gas: {:.5g} kg at {:.6g} Pa, {:.5g} K, gamma {:.5g}{}\n", state.gas_point.mass,
                state.gas_point.pressure, state.gas_point.temperature, gamma,
-               state.gas_point.mass > 0.0 ? "" : " of what fills it");
+               state.gas_point.mass > 0.0 ? "" : " of the gas that fills it");
   if (scene.bag) print_bag(scene, state);
   print_vents(scene, state, gamma);
   print_inflators(scene);
@@ -211,7 +210,8 @@ int check(const CaseArguments& arguments, const std::string& format) {
   if (scene.contact) fmt::print("contact stiffness: {:.4g} N/m3\n", scene.contact->parameters().stiffness);
   if (scene.moves() && !scene.output.history_exact)
     fmt::print(
-        "history: a row at the first step at or past each multiple of {} s; on it with history_exact\n",
+        "history: a row at the first step at or after each multiple of {} s; exactly there with "
+        "history_exact\n",
         scene.output.history_every);
   print_forecast(groups);
   if (const std::string advice = gas_advice(scene, groups); !advice.empty())

@@ -52,8 +52,8 @@ void print_text(const CompareArguments& a, const Difference& difference) {
     fmt::print("sees: the change of the reference's peak that would be outside in nine of ten cases\n");
   if (means && difference.verdict == Verdict::outside)
     fmt::print(
-        "the reference's runs start from nodes displaced at random (membrane.perturbation), and have their "
-        "rows by output.history_exact of the case: are mine alike?\n");
+        "the reference's runs start with nodes displaced at random (membrane.perturbation) and have rows by "
+        "output.history_exact of the case: check that mine do, too\n");
   fmt::print("{}{}\n", verdict_name(difference.verdict),
              difference.reason.empty() ? "" : ": " + difference.reason);
 }
@@ -62,8 +62,8 @@ double part_of_one(const std::string& option, std::string_view text) {
   const auto share = fraction_of(text);
   if (!share || *share < 0.0 || *share > 1.0)
     throw CaseError(
-        fmt::format("--tolerance {}: '{}' is no share, a finite number from 0 to 1, such as 0.02 or 2%, or "
-                    "COLUMN=SHARE, is allowed",
+        fmt::format("--tolerance {}: '{}' is not a share, allowed: a finite number from 0 to 1, such as 0.02 "
+                    "or 2%, or COLUMN=SHARE",
                     option, text));
   return *share;
 }
@@ -76,7 +76,7 @@ Tolerance tolerance_of(const std::vector<std::string>& options) {
     const bool of_one = equals != std::string::npos;
     const double share = part_of_one(text, std::string_view(text).substr(of_one ? equals + 1 : 0));
     if (of_one ? !tolerance.of.emplace(text.substr(0, equals), share).second : given)
-      throw CaseError(fmt::format("--tolerance {}: is given twice, once is allowed", text));
+      throw CaseError(fmt::format("--tolerance {}: is given twice, allowed: once", text));
     if (of_one) continue;
     given = true;
     tolerance.share = share;
@@ -114,7 +114,7 @@ int compare(const CompareArguments& a) {
   const auto names = names_of(a.columns);
   const History mine = read_history(a.mine, a.map, reference, names);
   if (names.empty())
-    for (const auto& name : mine.left_out) tell(name + " is left out: the reference has no such column");
+    for (const auto& name : mine.left_out) tell(name + " is ignored: the reference has no such column");
   const Difference difference = driver::compare(mine, reference, names, tolerance_of(a.tolerance));
   if (!a.rows.empty()) write_rows(a.rows, difference);
   if (a.format == "json")

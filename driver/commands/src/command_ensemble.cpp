@@ -115,8 +115,8 @@ int ensemble(const EnsembleArguments& arguments, const MakeCrew& make_crew) {
   std::vector<std::filesystem::path> files{arguments.scene.file};
   if (!arguments.against.empty()) files.push_back(arguments.against);
   if (files.size() > 1 && files[0].stem() == files[1].stem())
-    throw CaseError(
-        fmt::format("--against {}: needs another file name than the first case", arguments.against.string()));
+    throw CaseError(fmt::format("--against {}: must have another file name than the first case",
+                                arguments.against.string()));
   std::deque<EnsembleCase> cases;
   for (const auto& file : files) {
     require_file(file);

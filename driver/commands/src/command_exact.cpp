@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 double parse_number(std::string_view text, const std::string& whole) {
   const auto value = number_of(text);
-  if (!value) throw CaseError(fmt::format("{}: '{}' is no finite number", whole, text));
+  if (!value) throw CaseError(fmt::format("{}: '{}' is not a finite number", whole, text));
   return *value;
 }
 
@@ -50,9 +50,9 @@ std::vector<double> parse_times(const std::string& text) {
   if (parts.size() == 1) return parts;
   if (parts.size() != 3 || !(parts[2] > 0.0) || parts[1] < parts[0] ||
       (parts[1] - parts[0]) / parts[2] > most)
-    throw CaseError(fmt::format(
-        "--times {}: a number or first:last:step with step > 0 and at most {:.0e} rows is allowed", text,
-        most));
+    throw CaseError(
+        fmt::format("--times {}: is not a number, nor first:last:step with step > 0 and at most {:.0e} rows",
+                    text, most));
   std::vector<double> times;
   const auto count = static_cast<long>(std::floor((parts[1] - parts[0]) / parts[2] * (1.0 + 1e-12) + 1e-12));
   for (long i = 0; i <= count; ++i) times.push_back(parts[0] + static_cast<double>(i) * parts[2]);
@@ -179,9 +179,8 @@ void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap
 
 int list(const ExactArguments& a) {
   if (!a.name.empty() || !a.parameters.empty() || !a.times.empty())
-    throw CaseError("--list: prints the whole catalogue; no NAME, --set or --times is allowed beside it");
-  if (a.format == "csv")
-    throw CaseError("--format csv: prints one NAME; of --list markdown or json is allowed");
+    throw CaseError("--list: prints the whole catalogue: leave out NAME, --set and --times");
+  if (a.format == "csv") throw CaseError("--format csv: prints one NAME; for --list use markdown or json");
   a.format.empty() ? print_list() : a.format == "json" ? print_list_json() : print_page();
   return exit_done;
 }
@@ -192,8 +191,9 @@ int exact(const ExactArguments& arguments) {
   gsl_set_error_handler_off();  // closed forms check their results; GSL's own handler would end the program
   if (arguments.list) return list(arguments);
   if (arguments.format == "markdown")
-    throw CaseError("--format markdown: prints --list only; csv or json is allowed");
-  if (arguments.name.empty()) throw CaseError("exact: a NAME is needed; `gasjet exact --list` prints them");
+    throw CaseError("--format markdown: prints --list only; use csv or json");
+  if (arguments.name.empty())
+    throw CaseError("exact: NAME is missing; `gasjet exact --list` prints the names");
   try {
     const auto& entry = closed_form::find_entry(arguments.name);
     const auto given = parse_parameters(arguments.parameters);

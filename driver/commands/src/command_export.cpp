@@ -24,8 +24,8 @@ void require_size(const Scene& scene, bool any_size) {
   const auto extent = unlikely_extent(scene.bag->mesh);
   if (any_size || !extent) return;
   throw CaseError(
-      fmt::format("{}: membrane.mesh: the bag's longest extent is {:.6g} m, {} to {} m are allowed: "
-                  "length_unit says what a file's coordinates mean; --any-size takes it as it is",
+      fmt::format("{}: membrane.mesh: the bag's longest extent is {:.3g} m, allowed: {} to {} m; set "
+                  "length_unit to the file's unit, or accept it by --any-size",
                   scene.case_file.string(), *extent, smallest_bag, largest_bag));
 }
 

@@ -34,7 +34,7 @@ std::vector<gas::Component> read_composition(const std::string& option, const st
     if (equals < part.size()) {
       const auto [stop, error] = std::from_chars(part.data() + equals + 1, end, fraction);
       if (error != std::errc{} || stop != end)
-        throw CaseError(fmt::format("{} {}: '{}' is no NAME=FRACTION", option, text, part));
+        throw CaseError(fmt::format("{} {}: '{}' is not NAME=FRACTION", option, text, part));
     }
     parts.push_back({part.substr(0, equals), fraction});
   }
@@ -58,7 +58,7 @@ SpeciesCatalogue catalogue(const IdentifyArguments& a) {
   if (a.species.empty()) return species;
   CaseDocument document(a.species, {});
   TableReader root = document.root(), table = root.table("gas");
-  if (!table.has("species")) table.fail("species", "is missing, [[gas.species]] is needed");
+  if (!table.has("species")) table.fail("species", "is missing, needed: [[gas.species]]");
   species.read(table);
   return species;
 }
@@ -96,12 +96,12 @@ CsvTable read_readings(const IdentifyArguments& a) {
   if (a.method == "dual") columns.push_back(a.chamber_column);
   CsvTable table = read_csv(a.file, columns);
   if (table.rows() < gas::SmoothingSpline::kFewestReadings)
-    throw CaseError(fmt::format("{}:{}:1: {}: has {} readings, {} or more are needed", a.file.string(),
+    throw CaseError(fmt::format("{}:{}:1: {}: has {} readings, needed: {} or more", a.file.string(),
                                 table.rows() > 0 ? table.lines.back() : 1, a.time_column, table.rows(),
                                 gas::SmoothingSpline::kFewestReadings));
   if (table.values[0].front() < 0.0)
     table.fail(0, 0,
-               fmt::format("{} s: time counts from firing, 0 or more is allowed", table.values[0].front()));
+               fmt::format("{} s: time counts from firing, allowed: 0 or more", table.values[0].front()));
   return table;
 }
 
@@ -135,7 +135,8 @@ gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, c
     std::string what = error.what();
     if (column > 0 && table.values[column][error.index] < kThinned * kAtmosphere)
       what += "; pressures are absolute";
-    if (column == 2 && of_reading) what += "; noise that is the same over the record fits --noise full-scale";
+    if (column == 2 && of_reading)
+      what += "; for noise that is constant over the record use --noise full-scale";
     table.fail(column, error.index, what);
   } catch (const std::invalid_argument& error) {
     throw CaseError(as_typed(error.what()));
@@ -154,13 +155,13 @@ std::string text(const IdentifyArguments& a, const gas::Smoothing& s) {
 std::string bands(const IdentifyArguments& a, const gas::Identified& found) {
   const std::string share = fmt::format("{} of {} draws do not fit", found.misfits, a.draws);
   if (found.tank_clipping || found.chamber_clipping)
-    return "none: a gauge is cut off, and the total mass, which closes the whole record, is met there too";
+    return "none: a gauge is cut off, which spoils the whole record";
   if (!found.fits) return "none: a tank with these curves misses the record by more than the noise";
   if (!found.bands) return "none: " + share + " the range of temperatures, more than a tenth";
   const char* text = "pointwise 95 %, from the pressures' noise alone";
   return found.misfits == 0
              ? text
-             : fmt::format("{}; {}, the bands are those of the others and too narrow there", text, share);
+             : fmt::format("{}; {}, the other draws give the bands, which are too narrow there", text, share);
 }
 
 /// Lines above the table and on the screen.
@@ -178,35 +179,34 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
   const auto with_band = [&](double value, const gas::Band& band) {
     return fmt::format("{:.6g}, {}", value, found.bands ? "95 %: " + text(band) : "no band");
   };
-  lines.push_back({"initial_pressure_Pa", fmt::format("{:.6g}, of the readings that are flat at the start",
-                                                      found.initial_pressure)});
+  lines.push_back({"initial_pressure_Pa",
+                   fmt::format("{:.6g}, from the flat readings at the start", found.initial_pressure)});
   lines.push_back({"mean_temperature_K", with_band(found.mean_temperature, found.mean_temperature_band)});
   if (dual) lines.push_back({"outlet_CdA_m2", with_band(found.effective_area, found.effective_area_band)});
   double worst = 0.0;
   for (const auto& point : found.points)
     if (!point.masked) worst = std::max(worst, point.amplification);
   lines.push_back(
-      {"amplification",
-       fmt::format("deviation of K over that of one reading: {:.3g} at the largest K ({:.5g} kg K/s), "
-                   "up to {:.3g} above the threshold ({:.5g})",
-                   peak->amplification, peak->enthalpy_flow, worst, found.threshold)});
+      {"amplification", fmt::format("deviation of K relative to one reading: {:.3g} at the largest K ({:.5g} "
+                                    "kg K/s), up to {:.3g} above the threshold ({:.5g})",
+                                    peak->amplification, peak->enthalpy_flow, worst, found.threshold)});
   lines.push_back(
       {"masked", fmt::format("{} of {} rows, K below {} of its largest or 4 of its standard deviations",
                              masked, found.points.size(), a.threshold)});
   lines.push_back(
       {"forward_model",
-       fmt::format("a tank with these curves misses the smoothed tank pressure by {:.2g} % at most",
+       fmt::format("a tank with these curves differs from the smoothed tank pressure by at most {:.2g} %",
                    100.0 * found.forward_error)});
   const auto claimed = std::ranges::count_if(found.points, [](const auto& p) { return p.band_claimed; });
   lines.push_back({"bands", bands(a, found)});
-  lines.push_back({"band_claimed",
-                   fmt::format("{} of {} rows: not where masked, nor where the tank pressure bends more "
-                               "sharply than smoothing follows, nor where the band ends at the temperatures "
-                               "of the gas; none with fewer than 30 readings in the burn",
-                               claimed, found.points.size())});
   lines.push_back(
-      {"bias", dual ? "temperature is held where masked"
-                    : "mass_flow is off by T_s/mean_temperature at each moment, not in the bands"});
+      {"band_claimed", fmt::format("{} of {} rows: none where masked, where the tank pressure bends too "
+                                   "sharply for the smoothing, or where the band ends at the gas's range of "
+                                   "temperatures; none at all with fewer than 30 readings in the burn",
+                                   claimed, found.points.size())});
+  lines.push_back({"bias", dual ? "temperature is constant where masked"
+                                : "mass_flow is wrong by the factor T_s/mean_temperature at each moment, "
+                                  "which the bands do not contain"});
   return lines;
 }
 
@@ -216,8 +216,7 @@ void add_clipping(const char* gauge, const std::optional<gas::Clipping>& clippin
   if (!clipping) return;
   doubts.push_back(
       fmt::format("the {} pressure is cut off at {:.6g} Pa from {:.4g} to {:.4g} s: {} readings equal the "
-                  "largest; no band is "
-                  "claimed, use a gauge of a larger range{}",
+                  "largest; no band is claimed; use a gauge of a larger range{}",
                   gauge, clipping->pressure, clipping->first, clipping->last, clipping->count, advice));
 }
 
@@ -228,24 +227,25 @@ std::vector<std::string> doubts(const gas::Identified& found) {
   const double first = points.front().tank_pressure;
   if (first < kThinned * kAtmosphere)
     doubts.push_back(
-        fmt::format("the tank holds {:.4g} Pa at first, less than a tenth of an atmosphere: "
+        fmt::format("the tank is at {:.3g} Pa at first, less than a tenth of an atmosphere: check that "
                     "pressures are absolute",
                     first));
   add_clipping("tank", found.tank_clipping, "", doubts);
   add_clipping("chamber", found.chamber_clipping, " or --method average", doubts);
   if (!found.fits)
-    doubts.push_back(fmt::format(
-        "a tank with these curves misses the smoothed tank pressure by {:.2g} %, noise explains {:.2g} %: "
-        "pressures are absolute; sharp pulses need more --points; a tank that loses heat does not fit",
-        100.0 * found.forward_error, 100.0 * found.forward_noise));
+    doubts.push_back(
+        fmt::format("a tank with these curves differs from the smoothed tank pressure by {:.2g} %, noise "
+                    "explains {:.2g} %: check that pressures are absolute, use more --points for sharp "
+                    "pulses; a tank that loses heat does not fit",
+                    100.0 * found.forward_error, 100.0 * found.forward_noise));
   constexpr double longest = 5.0;  // [s] of a record; inflators burn for a tenth of a second
   if (const double length = points.back().time - points.front().time; length > longest)
-    doubts.push_back(fmt::format("the record is {:.4g} s long: times are in seconds", length));
+    doubts.push_back(fmt::format("the record is {:.3g} s long: check that times are in seconds", length));
   const auto peak = std::ranges::max_element(points, {}, &gas::IdentifiedPoint::mass_flow);
   if (!points.back().masked)
     doubts.push_back(
-        fmt::format("the record ends while gas still flows ({:.2g} % of the largest flow): all "
-                    "of --mass is taken to be in by then",
+        fmt::format("the record ends while gas still flows ({:.2g} % of the largest flow), but the method "
+                    "assumes that all of --mass is in the tank by then",
                     100.0 * points.back().mass_flow / peak->mass_flow));
   return doubts;
 }
@@ -288,8 +288,8 @@ int identify(const IdentifyArguments& arguments) {
              table.values[0].back() - table.values[0].front());
   for (const auto& [key, value] : results) fmt::print("  {}: {}\n", key, value);
   fmt::print(
-      "{}: mass_flow_kg_s and temperature_K are curves for a case file\n"
-      "temperature_K is that of the gas at rest: a jet takes it with jet.temperature = \"stagnation\"\n",
+      "{}: mass_flow_kg_s and temperature_K are curves for a case file\ntemperature_K is that of the gas at "
+      "rest: a jet needs jet.temperature = \"stagnation\"\n",
       arguments.out.string());
   return exit_done;
 }

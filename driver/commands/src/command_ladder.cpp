@@ -21,7 +21,7 @@ double read_tolerance(const std::string& text) {
   const auto value = fraction_of(text);
   if (!value || !(*value > 0.0 && *value <= 1.0))
     throw CaseError(
-        fmt::format("--tolerance {}: a share above 0 up to 1, such as 0.02 or 2%, is allowed", text));
+        fmt::format("--tolerance {}: is not a share above 0 and up to 1, such as 0.02 or 2%", text));
   return *value;
 }
 
@@ -83,9 +83,8 @@ void print_verdict(const LadderResult& result, const LadderOptions& options,
   fmt::print("\n");
   if (!result.cheapest) {
     fmt::print(
-        "undecided: no rung is known to be within {:g} %; more --runs, --finer 2, a wider --tolerance or "
-        "--hold of "
-        "what is not in question\n",
+        "undecided: no rung is known to be within {:g} %; use more --runs, --finer 2, a wider --tolerance, "
+        "or --hold for axes that do not matter\n",
         100.0 * options.tolerance);
     return;
   }

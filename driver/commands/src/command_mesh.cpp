@@ -31,7 +31,7 @@ bool assign(Options& options, const std::vector<std::pair<const char*, Number Op
     const char* end = value.data() + value.size();
     const auto [stop, error] = std::from_chars(value.data(), end, options.*member);
     if (error != std::errc{} || stop != end)
-      throw CaseError(fmt::format("--set {}: a {} is allowed", text,
+      throw CaseError(fmt::format("--set {}: allowed: a {}", text,
                                   std::is_integral_v<Number> ? "whole number" : "number"));
     return true;
   }
@@ -51,7 +51,7 @@ BagMesh generate_with(const std::vector<std::string>& overrides) {
     for (const auto& entry : names.lengths) allowed += fmt::format("{} [m], ", entry.first);
     for (const auto& entry : names.counts) allowed += fmt::format("{}, ", entry.first);
     throw CaseError(
-        fmt::format("--set {}: unknown option, allowed are {}", text, allowed.substr(0, allowed.size() - 2)));
+        fmt::format("--set {}: unknown option, allowed: {}", text, allowed.substr(0, allowed.size() - 2)));
   }
   return generate(options);
 }
@@ -92,9 +92,8 @@ void print_report(const BagMesh& bag) {
   for (const auto& [back, front] : bag.strap_anchors)
     fmt::print("strap anchors: nodes {} and {}\n", back, front);
   if (const auto extent = unlikely_extent(mesh))
-    fmt::print(
-        "longest extent: {:.3g} m; --length-unit says what a file's coordinates mean, 1e-3 millimetres\n",
-        *extent);
+    fmt::print("longest extent: {:.3g} m; set --length-unit to the file's unit, 1e-3 for millimetres\n",
+               *extent);
   const auto faults = surface.describe(mesh.line);
   fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
 }
@@ -141,7 +140,7 @@ void finish(BagMesh bag, const MeshArguments& arguments, const std::vector<std::
 void print_reading(BagMesh& bag, const MeshArguments& arguments) {
   mesh::Mesh& mesh = bag.mesh;
   for (const auto& [what, list] :
-       {std::pair("elements that are no shells", &mesh.other_elements), std::pair("not read", &mesh.skipped),
+       {std::pair("elements other than shells", &mesh.other_elements), std::pair("not read", &mesh.skipped),
         std::pair("not read, and changes the bag", &mesh.neglected)})
     if (!list->empty()) fmt::print("{}: {}\n", what, fmt::join(*list, ", "));
   if (mesh.split_quads > 0) fmt::print("quads split in two: {}\n", mesh.split_quads);
@@ -151,7 +150,7 @@ void print_reading(BagMesh& bag, const MeshArguments& arguments) {
     const auto merged = mesh::merge_nodes(mesh, *arguments.merge);
     fmt::print("nodes merged within {:g} m: {}\n", *arguments.merge, merged.nodes);
     if (merged.elements > 0)
-      fmt::print("elements left out, two of whose corners became one: {}\n", merged.elements);
+      fmt::print("elements left out because two corners became one: {}\n", merged.elements);
     if (mesh.element_count() == 0)
       throw CaseError(fmt::format("--merge {:g} leaves no element", *arguments.merge));
   }
@@ -169,8 +168,8 @@ void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) 
              turns = !arguments.outward &&
                      ((report.inward && !report.flat) || !report.inconsistent_edges.empty());
   throw CaseError(
-      fmt::format("{}: is no closed control volume, and nothing is written; allowed: a closed "
-                  "surface that is wound outward, or --report{}{}\n{}",
+      fmt::format("{}: is not a closed control volume, and nothing is written; allowed: a closed surface "
+                  "that is wound outward, or --report{}{}\n{}",
                   arguments.file.string(), joins ? "; --merge DISTANCE joins nodes that nearly meet" : "",
                   turns ? "; --outward turns elements" : "", report.describe(bag.mesh.line)));
 }
@@ -224,7 +223,7 @@ int mesh_convert(const MeshArguments& arguments) {
     if (arguments.outward) fmt::print("elements turned: {}\n", mesh::turn_outward(bag.mesh));
     bag.initial = std::exchange(bag.mesh.start, std::nullopt);
     if (bag.initial && arguments.initial.empty() && !arguments.out.empty())
-      fmt::print("--out has the stress-free shape of the deck, --initial writes the one at the start\n");
+      fmt::print("--out has the stress-free shape of the deck; --initial writes the initial shape\n");
     require_areas(bag.mesh, arguments.file);
     if (!arguments.report) require_control_volume(bag, arguments);
     finish(std::move(bag), arguments, arguments.null_panels);
@@ -249,7 +248,7 @@ int mesh_of_state(const MeshArguments& arguments) {
     const BagShape shape = read_bag_shape(arguments.file, arguments.time);
     refuse_same_file("--out", arguments.out, {arguments.file / shape.file});
     fmt::print("time {} s, of {}\n", shape.time, shape.file);
-    if (shape.error > 0.0) fmt::print("coordinates are off by {:.2g} m at most\n", shape.error);
+    if (shape.error > 0.0) fmt::print("coordinates have errors of at most {:.2g} m\n", shape.error);
     try {
       if (is_vtp)
         replace_file(arguments.out, polydata_of(shape.mesh));

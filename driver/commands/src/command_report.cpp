@@ -10,7 +10,7 @@ namespace driver::commands {
 
 int report(const ReportArguments& arguments) {
   if (std::filesystem::is_directory(arguments.out))
-    throw OutputError(fmt::format("--out {}: is a folder, a file is allowed", arguments.out.string()));
+    throw OutputError(fmt::format("--out {}: is a folder, allowed: a file", arguments.out.string()));
   // Only pages are replaced, so that other files of a results folder are safe.
   if (const auto ending = arguments.out.extension(); ending != ".html" && ending != ".htm")
     throw OutputError(fmt::format("--out {}: a page ends with .html", arguments.out.string()));

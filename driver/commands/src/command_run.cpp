@@ -22,7 +22,7 @@ void tell_warnings(Scene& scene) {
 }
 
 int tell_interrupted(const std::filesystem::path& kept) {
-  tell(fmt::format("gasjet: interrupted: what had run by then is in {}, the same command goes on from there",
+  tell(fmt::format("gasjet: interrupted: finished runs are in {}, run the same command to continue",
                    kept.string()));
   return exit_interrupted;
 }
@@ -49,7 +49,7 @@ int run(const RunArguments& arguments) {
     return exit_domain;
   }
   if (outcome.status == RunStatus::failed) {
-    tell(fmt::format("gasjet: {}\nResults up to there are in {}", outcome.message, folder.string()));
+    tell(fmt::format("gasjet: {}\nResults so far are in {}", outcome.message, folder.string()));
     return exit_domain;
   }
   if (!arguments.quiet)

@@ -61,9 +61,9 @@ int study_run(const StudyArguments& arguments, const MakeCrew& make_crew) {
   require_file(arguments.plan);
   const StudyPlan plan = read_study(arguments.plan);
   if (plan.stop && share.count > 1)
-    throw CaseError(fmt::format(
-        "--share {}: a stop rule looks at all runs; without [stop], or as one process, the plan is allowed",
-        arguments.share));
+    throw CaseError(
+        fmt::format("--share {}: a stop rule needs all runs: remove [stop], or run the plan in one process",
+                    arguments.share));
   if (!arguments.quiet || arguments.only_check) print_plan(plan);
   if (arguments.only_check) return check_study(plan);
   const auto folder = arguments.out.empty() ? std::filesystem::path("results") / plan.name : arguments.out;

@@ -22,8 +22,8 @@ void refuse_same_file(const char* option, const std::filesystem::path& out,
                       const std::vector<std::filesystem::path>& inputs) {
   for (const auto& input : inputs)
     if (!out.empty() && !input.empty() && is_same(out, input))
-      throw CaseError(fmt::format("{} {}: would overwrite {}, another file is allowed", option, out.string(),
-                                  input.string()));
+      throw CaseError(
+          fmt::format("{} {}: would overwrite {}: name another file", option, out.string(), input.string()));
 }
 
 void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& inputs) {
@@ -35,8 +35,8 @@ void refuse_inputs(const std::filesystem::path& folder, const std::vector<std::f
 void require_file(const std::filesystem::path& file) {
   std::error_code ignored;  // error of a missing file, which its reader reports
   if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file))
-    throw CaseError(
-        fmt::format("{}: is no regular file, which is needed: it is read more than once", file.string()));
+    throw CaseError(fmt::format(
+        "{}: is not a regular file: it is read more than once, so copy it to a file first", file.string()));
 }
 
 std::vector<std::filesystem::path> input_files(const std::filesystem::path& file,

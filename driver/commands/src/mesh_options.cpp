@@ -16,11 +16,11 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
       mesh->add_subcommand("driver", "driver bag: two discs sewn at the rim, attachment, vents, tethers");
   auto* passenger = mesh->add_subcommand("passenger", "passenger bag: main and side panels, one vent");
   auto* convert =
-      mesh->add_subcommand("convert", "read a mesh file, say what it holds; write it in the format of --out");
+      mesh->add_subcommand("convert", "read a mesh file and report on it; write it in the format of --out");
   auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
   auto* state = mesh->add_subcommand("state", "write the shape of a run's bag at one time");
   state->add_option("RESULTS", arguments.file, "folder of `gasjet run`")->required();
-  state->add_option("--time", arguments.time, "of the kept shapes, the nearest is taken [s]")
+  state->add_option("--time", arguments.time, "time [s]; the nearest stored shape is used")
       ->required()
       ->check(not_negative);
   state->add_option("--out", arguments.out, std::string("file to write: ") + shape_endings)
@@ -38,16 +38,17 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   convert->add_option("FILE", arguments.file, mesh_endings)->required();
   convert
       ->add_option("--panel", arguments.panels,
-                   "panel, or part of a deck, to keep; may be repeated; all without it")
+                   "panel, or part of a deck, to keep; may be repeated; default: all")
       ->allow_extra_args(false)
       ->option_text("NAME");  // and not several
-  convert->add_option("--merge", arguments.merge, "join nodes at most so far apart [m]")->check(not_negative);
+  convert->add_option("--merge", arguments.merge, "join nodes within this distance [m]")->check(not_negative);
   convert->add_flag("--outward", arguments.outward, "turn elements so that the surface is wound outward");
-  convert->add_flag("--report", arguments.report, "report only: an open or inside-out surface is no error");
-  convert->add_option("--out", arguments.out, "file to write; without it the report only")->check(named);
+  convert->add_flag("--report", arguments.report,
+                    "report only: an open or inside-out surface is not an error");
+  convert->add_option("--out", arguments.out, "file to write; without it only report")->check(named);
   convert
       ->add_option("--initial", arguments.initial,
-                   "shape at the start to write, of a deck that has a stress-free one too")
+                   "file for the initial shape, if a deck also has a stress-free shape")
       ->check(named);
   convert->add_option("--length-unit", arguments.length_unit, "length unit of FILE [m]")->check(positive);
   convert->add_option("--null-panel", arguments.null_panels, "panel that closes a hole; may be repeated")
@@ -60,7 +61,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
         ->allow_extra_args(false)
         ->option_text("KEY=VALUE");
   for (auto* command : {bag, passenger, convert})
-    command->add_option("--refine", arguments.refine, "split each element in four, so many times")
+    command->add_option("--refine", arguments.refine, "number of times that each element is split in four")
         ->check(CLI::Range(0, 6));
 }
 

@@ -29,13 +29,13 @@ void add_case(CLI::App& command, CaseArguments& arguments) {
   add_override(command, arguments.overrides, "--set", "",
                "key.path=value, replaces or adds a value of the case; may be repeated");
   add_override(command, arguments.overrides, "--unset", unset_prefix,
-               "key.path of a value or table to take out of the case; may be repeated");
+               "key.path of a value or table to remove from the case; may be repeated");
 }
 
 void add_threads(CLI::App& command, int& threads, bool& quiet) {
   command.add_option("--threads", threads, "threads; the results do not depend on it")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--quiet", quiet, "nothing but warnings and errors is printed");
+  command.add_flag("--quiet", quiet, "print only warnings and errors");
 }
 
 struct Arguments {
@@ -74,10 +74,9 @@ void add_ensemble(CLI::App& app, Arguments& all) {
   ensemble->add_option("--runs", all.ensemble.runs, "number of runs")->check(CLI::Range(2, 100000));
   ensemble->add_option("--amplitude", all.ensemble.amplitude, "largest displacement of the initial nodes [m]")
       ->check(within(1e-18, 1e-3, "1e-18 to 1e-3 m"));
-  ensemble
-      ->add_option("--first-seed", all.ensemble.first_seed, "of the displacements: another one, other runs")
+  ensemble->add_option("--first-seed", all.ensemble.first_seed, "first seed of the displacements")
       ->check(CLI::Range(1, 999000000));
-  ensemble->add_option("--share", all.ensemble.share, "NUMBER/COUNT: this share of the runs alone")
+  ensemble->add_option("--share", all.ensemble.share, "NUMBER/COUNT: only this share of the runs")
       ->check(named);
   ensemble->add_option("--against", all.ensemble.against, "a second case: report the difference of the means")
       ->check(named);
@@ -85,42 +84,42 @@ void add_ensemble(CLI::App& app, Arguments& all) {
 
 void add_ladder(CLI::App& app, LadderArguments& a) {
   auto* ladder = app.add_subcommand(
-      "ladder", "error against cost of what a scene can leave out; the cheapest way within a tolerance");
+      "ladder", "error and cost of simpler forms of a scene; the cheapest within a tolerance");
   add_case(*ladder, a.scene);
   add_threads(*ladder, a.threads, a.quiet);
   ladder
       ->add_option("--quantity", a.quantity, "column of the history at the end, or a quantity of `ensemble`")
       ->required()
       ->check(named);
-  ladder->add_option("--tolerance", a.tolerance, "of the quantity, 2% by default")->type_name("SHARE");
-  ladder->add_option("--hold", a.hold, "axes that stay as the case has them, separated by commas")
+  ladder->add_option("--tolerance", a.tolerance, "of the quantity; default: 2%")->type_name("SHARE");
+  ladder->add_option("--hold", a.hold, "axes that keep the case's choice, separated by commas")
       ->allow_extra_args(false);
-  ladder->add_option("--runs", a.runs, "of each rung where the scene is chaotic")
+  ladder->add_option("--runs", a.runs, "of each rung if the scene is chaotic")->check(CLI::Range(2, 100000));
+  ladder->add_option("--most-runs", a.most_runs, "of a rung whose verdict stays open; default: --runs")
       ->check(CLI::Range(2, 100000));
-  ladder->add_option("--most-runs", a.most_runs, "of a rung whose verdict stays open, --runs by default")
-      ->check(CLI::Range(2, 100000));
-  ladder->add_option("--error-rate", a.error_rate, "of a verdict being wrong by scatter, 0.025 by default")
+  ladder->add_option("--error-rate", a.error_rate, "of wrong verdicts by scatter; default: 0.025")
       ->check(CLI::Range(1e-6, 0.5));
-  ladder->add_option("--finer", a.finer, "levels of the mesh beyond the case's own, 1 by default")
+  ladder->add_option("--finer", a.finer, "finer levels of the mesh than the case's own; default: 1")
       ->check(CLI::Range(1, 3));
   ladder->add_option("--out", a.out, "result folder (results/ladder_<case> by default)")->check(named);
 }
 
 void add_cost(CLI::App& app, CostArguments& a) {
-  auto* cost = app.add_subcommand("cost", "what jet, hidden-element test, contact, gas and files cost");
+  auto* cost = app.add_subcommand("cost", "cost of jet, hidden-element test, contact, gas and files");
   add_case(*cost, a.scene);
   add_threads(*cost, a.threads, a.quiet);
   cost->get_option("--quiet")->description("no progress is printed");
-  cost->add_option("--runs", a.runs, "of each variant; the least CPU time counts")
-      ->check(CLI::Range(3, 1000));
+  cost->add_option("--runs", a.runs, "of each variant; the fastest counts")->check(CLI::Range(3, 1000));
   cost->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
   cost->add_option("--out", a.out, "folder for cost.csv, cost.json and cost.txt")->check(named);
 }
 
 void add_others(CLI::App& app, Arguments& all) {
-  auto* check = app.add_subcommand("check", "validate a case, print its settings and what follows from them");
+  auto* check = app.add_subcommand("check", "validate a case, print its settings and derived values");
   add_case(*check, all.check);
-  check->add_option("--format", all.check_format, "text, json for other programs, or keys: what it could set")
+  check
+      ->add_option("--format", all.check_format,
+                   "text, json for other programs, or keys: all possible settings")
       ->check(CLI::IsMember({"text", "json", "keys"}));
   auto* exact = app.add_subcommand("exact", "print a closed form of the verification suite");
   exact->add_option("NAME", all.exact.name, "closed form, see --list");
@@ -140,20 +139,20 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   c->add_option("DATA", a.file,
                 "CSV of readings, with a header row; time [s] from firing, pressures [Pa] absolute")
       ->required();
-  c->add_option("--out", a.out, "CSV of the curves, as a case file takes them")->required()->check(named);
+  c->add_option("--out", a.out, "CSV of the curves, for a case file")->required()->check(named);
   c->add_option("--method", a.method, "average (temperature) or dual (pressure: tank and chamber)")
       ->required()
       ->check(CLI::IsMember({"average", "dual"}));
   c->add_option("--volume", a.volume, "volume of the tank [m3]")->required()->check(given);
   c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required()->check(given);
-  c->add_option("--gas", a.gas, "what it delivers: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3), see --by")
+  c->add_option("--gas", a.gas,
+                "gas of the inflator: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3), see --by")
       ->required();
-  add("--tank-gas", a.tank_gas, "what the tank holds before firing");
-  add("--by", a.by, "what the fractions of --gas and --tank-gas are of; of air always mole")
+  add("--tank-gas", a.tank_gas, "gas in the tank before firing");
+  add("--by", a.by, "meaning of the fractions of --gas and --tank-gas; air is always by mole")
       ->check(CLI::IsMember({"mass", "mole"}));
   add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
-  c->add_option("--species", a.species,
-                "TOML with [[gas.species]] as in a case, whose names the gases may use")
+  c->add_option("--species", a.species, "TOML file with more gases, [[gas.species]] as in a case")
       ->check(named);
   add("--initial-temperature", a.initial_temperature, "of the tank's gas [K]");
   add("--time-column", a.time_column, "name in the header");
@@ -176,10 +175,9 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)")->check(named);
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
       ->allow_extra_args(false);
-  c->add_option(
-       "--tolerance", a.tolerance,
-       "that mine may be off by itself, share of the reference's largest magnitude; with COLUMN=SHARE "
-       "of one column; may be repeated")
+  c->add_option("--tolerance", a.tolerance,
+                "error allowed to mine, as a share of the reference's largest magnitude; COLUMN=SHARE for "
+                "one column; may be repeated")
       ->allow_extra_args(false);
   c->add_option("--rows", a.rows, "CSV to write: both histories and band at common times")->check(named);
   c->add_option("--format", a.format, "text or json")->check(CLI::IsMember({"text", "json"}));
@@ -198,13 +196,13 @@ void add_report(CLI::App& app, ReportArguments& a) {
 void add_study(CLI::App& app, StudyArguments& a) {
   auto* study = app.add_subcommand("study", "many runs of one case: factors, points, seeds, shares");
   study->require_subcommand(1);
-  auto* run = study->add_subcommand("run", "compute the runs of a plan that are not there yet");
+  auto* run = study->add_subcommand("run", "compute the missing runs of a plan");
   run->add_option("PLAN", a.plan, "plan of the study (TOML)")->required();
   run->add_option("--out", a.out, "folder of the study (results/<name> by default)")->check(named);
-  run->add_option("--share", a.share, "NUMBER/COUNT: one of as many shares, on any machine; then `merge`")
+  run->add_option("--share", a.share, "NUMBER/COUNT: only this share, on any machine; then `merge`")
       ->check(named);
   run->add_flag("--check", a.only_check,
-                "read the plan; say how many runs it has and what they cost, from two of them");
+                "read the plan; print the number of runs, and their cost from two runs");
   add_threads(*run, a.threads, a.quiet);
   auto* merge = study->add_subcommand("merge", "tables of all shares in a folder");
   merge->add_option("DIR", a.folder, "folder of the study")->required()->check(named);
@@ -224,7 +222,7 @@ void add_export(CLI::App& app, ExportArguments& a) {
   c->add_option("--out", a.out, "folder of the deck, with export.md and export.json")
       ->required()
       ->check(named);
-  c->add_flag("--any-size", a.any_size, "take a bag below 0.02 m or above 10 m as it is");
+  c->add_flag("--any-size", a.any_size, "accept a bag below 0.02 m or above 10 m");
 }
 
 // Names an unknown command; CLI11 would only say that a command is missing.
@@ -236,8 +234,8 @@ void refuse_unknown_command(const CLI::App& app, std::span<char*> words) {
     allowed += (allowed.empty() ? "" : ", ") + command->get_name();
   }
   if (allowed.empty()) return;  // a command without commands of its own
-  throw CaseError(std::string("'") + words[0] + "' is no command of " + app.get_name() + ", allowed are " +
-                  allowed + " (see --help)");
+  throw CaseError(std::string("'") + words[0] + "' is not a command of " + app.get_name() +
+                  ", allowed: " + allowed + " (see --help)");
 }
 
 void add_manual(CLI::App& app, Arguments& all) {
@@ -271,8 +269,8 @@ int run_command_line(int argc, char** argv, const MakeCrew& crew) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done; 1 of compare: outside the band; 2 the command line or an input is wrong, nothing "
-      "is written; 3 the computation left its domain or ended inaccurate, what was computed is kept; 4 of "
-      "compare and ladder: undecided, of study merge: incomplete; 130 ended by Ctrl-C, what was computed is "
+      "is written; 3 the computation left its domain or ended inaccurate, results so far are kept; 4 of "
+      "compare and ladder: undecided, of study merge: incomplete; 130 ended by Ctrl-C, results so far are "
       "kept.");
   Arguments all;
   add_run(app, all);
@@ -292,7 +290,7 @@ int run_command_line(int argc, char** argv, const MakeCrew& crew) {
     app.parse(words(argc, argv));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    throw CaseError(std::string(error.what()) + " (--help lists what is allowed)");
+    throw CaseError(std::string(error.what()) + "; --help lists the options");
   }
   return dispatch(app, all, crew);
 }

@@ -13,7 +13,7 @@ inline CLI::Validator finite_above(double least, const std::string& allowed) {
   const auto fault = [least, allowed](std::string& text) {
     double value = 0.0;
     const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > least;
-    return good ? std::string() : text + ": " + allowed + " is allowed";
+    return good ? std::string() : text + ": allowed: " + allowed;
   };
   return {fault, ""};
 }
@@ -24,7 +24,7 @@ inline CLI::Validator within(double low, double high, const std::string& allowed
     double value = 0.0;
     const bool good =
         CLI::detail::lexical_cast(text, value) && value >= low && value <= high;  // false for NaN
-    return good ? std::string() : text + ": " + allowed + " is allowed";
+    return good ? std::string() : text + ": allowed: " + allowed;
   };
   return {fault, ""};
 }

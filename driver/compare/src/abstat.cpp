@@ -42,9 +42,9 @@ Row read_row(const std::filesystem::path& file, std::size_t line_number, const s
     const std::string_view field = std::string_view(line).substr(begin, kWidths[i]);
     const auto skip = std::min(field.find_first_not_of(' '), field.size());
     const auto value = file_number_of(field.substr(skip));
-    if (!value) throw CaseError(fmt::format("{}: '{}': a finite number is allowed", place, field));
+    if (!value) throw CaseError(fmt::format("{}: '{}' is not a finite number", place, field));
     if (i == kNumberField && !(*value >= 1.0 && *value <= 1e9 && *value == std::floor(*value)))
-      throw CaseError(fmt::format("{}: '{}': a whole number from 1 to 1e9 is allowed", place, field));
+      throw CaseError(fmt::format("{}: '{}' is not a whole number from 1 to 1e9", place, field));
     row.values[i] = *value;
     row.positions[i] = begin + skip + 1;
   }
@@ -83,7 +83,7 @@ CsvTable read_abstat(const std::filesystem::path& file, int volume_number) {
   }
   if (table.rows() > 0) return table;
   if (present.empty()) throw CaseError(fmt::format("{}:1:1: no state of an abstat file", file.string()));
-  throw CaseError(fmt::format("{}:1:1: volume_number {}: no such airbag, the first is {}", file.string(),
+  throw CaseError(fmt::format("{}:1:1: volume_number {}: no such airbag; the first is {}", file.string(),
                               volume_number, *present.begin()));
 }
 

@@ -25,7 +25,7 @@ bool is_companion(const std::string& name, const History& history) {
 
 void check_name(const char* option, const std::string& name, const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw CaseError(fmt::format("{} {}: {}, allowed are {}", option, name.empty() ? "''" : name,
+    throw CaseError(fmt::format("{} {}: {}, allowed: {}", option, name.empty() ? "''" : name,
                                 name.empty() ? "a name is empty" : "the reference has no such quantity",
                                 fmt::join(names, ", ")));
 }
@@ -39,7 +39,7 @@ std::vector<std::string> names_to_compare(const History& reference, const std::v
     if (!is_companion(name, reference)) names.push_back(name);
   for (const auto& name : only) {
     if (std::count(only.begin(), only.end(), name) > 1)
-      throw CaseError(fmt::format("--columns {}: is given twice, once is allowed", name));
+      throw CaseError(fmt::format("--columns {}: is given twice, allowed: once", name));
     check_name("--columns", name, names);
   }
   for (const auto& [name, share] : tolerance.of) check_name("--tolerance", name, names);
@@ -60,8 +60,8 @@ void check_bands(const History& reference) {
       throw CaseError(fmt::format("{}: the reference has a band but no column {}", name, quantity));
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i] < 0.0)
-        throw CaseError(fmt::format("{}: {} at {:.6g} s: a half width of 0 or more is allowed", name,
-                                    values[i], reference.time[i]));
+        throw CaseError(fmt::format("{}: {} at {:.6g} s: is not a half width of 0 or more", name, values[i],
+                                    reference.time[i]));
   }
 }
 

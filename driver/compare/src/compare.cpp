@@ -116,12 +116,12 @@ void judge(const std::vector<double>& time, const std::vector<double>& doubt, bo
         fmt::format("{} of {} rows outside the band, first at {:.6g} s", outside, time.size(), time[first]);
   } else if (is_wider_than_signal(q)) {
     q.verdict = of_means ? Verdict::not_judged : Verdict::undecided;
-    q.reason = of_means ? "so few runs say nothing of it" : "the band is as wide as the signal";
+    q.reason = of_means ? "too few runs to decide it" : "the band is as wide as the signal";
   } else if (unclear > 0) {
     q.verdict = Verdict::undecided;
-    q.reason =
-        fmt::format("sampled too coarsely: {} of {} rows outside the band by less than interpolation may err",
-                    unclear, time.size());
+    q.reason = fmt::format(
+        "sampled too coarsely: {} of {} rows are outside the band by less than the error of interpolation",
+        unclear, time.size());
   } else {
     q.verdict = Verdict::inside;
   }
@@ -135,7 +135,7 @@ struct Side {
 constexpr double round_off_of_means = 1e-6;  // share of the largest magnitude: means are written with fewer
                                              // digits
 
-constexpr const char* no_band_text = "the reference states no band, --tolerance gives one";
+constexpr const char* no_band_text = "the reference has no band; use --tolerance";
 
 // Criteria for all quantities.
 struct Judgement {
@@ -221,7 +221,7 @@ void conclude(Difference& difference) {
   const bool judged = with(Verdict::inside) != end;
   difference.verdict = judged ? Verdict::inside : Verdict::undecided;
   if (judged) return;
-  difference.reason = difference.reference_runs > 1 ? "so few runs say nothing" : no_band_text;
+  difference.reason = difference.reference_runs > 1 ? "too few runs to decide" : no_band_text;
 }
 
 }  // namespace

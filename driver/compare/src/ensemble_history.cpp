@@ -42,9 +42,8 @@ int runs_of(const std::filesystem::path& file, const std::string& column) {
   const auto [stop, error] = std::from_chars(line.text.data(), end, runs);
   if (error != std::errc() || stop != end || runs < 2 || runs > most_runs)
     throw CaseError(
-        fmt::format("{}:{}:1: runs: '{}' is no number of runs, which {} needs; a line '{}N' above the "
-                    "columns is allowed, "
-                    "N from 2 to {}",
+        fmt::format("{}:{}:1: runs: '{}' is not a number of runs, which {} needs: write a line '{}N' above "
+                    "the columns, N from 2 to {}",
                     file.string(), line.number, line.text, column, runs_key, most_runs));
   return runs;
 }

@@ -38,14 +38,14 @@ struct Map {
 MappedColumn read_column(TableReader&& table, const std::string& name) {
   MappedColumn column;
   column.name = name.empty() ? table.at("name").text() : name;
-  if (column.name.empty()) table.fail("name", "is empty, the name of a quantity is allowed");
+  if (column.name.empty()) table.fail("name", "is empty, allowed: the name of a quantity");
   column.name_label = table.label("name");
   column.column = table.at("column").text();
   column.column_label = table.label("column");
   if (column.column.empty() || std::count(column.column.begin(), column.column.end(), '*') > 1)
-    table.fail("column", fmt::format("is '{}', a name with at most one * is allowed", column.column));
+    table.fail("column", fmt::format("is '{}', allowed: a name with at most one *", column.column));
   column.scale = table.at("scale").number(any_number, 1.0);
-  if (column.scale == 0.0) table.fail("scale", "0 forgets the column, another number is allowed");
+  if (column.scale == 0.0) table.fail("scale", "is 0, which erases the column; allowed: another number");
   column.offset = table.at("offset").number(any_number, 0.0);
   table.finish();
   return column;
@@ -110,10 +110,8 @@ std::vector<std::string> names_left_out(const Map& map, const Purpose& purpose) 
     for (const auto& [name, values] : purpose.reference.columns) {
       const auto same = [&wanted = name](const MappedColumn& other) { return other.name == wanted; };
       if (is_like(column.name, name) && std::ranges::none_of(map.columns, same))
-        throw CaseError(
-            fmt::format("{}: the reference has no column '{}', a column of the reference is "
-                        "allowed; is '{}' meant?",
-                        column.name_label, column.name, name));
+        throw CaseError(fmt::format("{}: the reference has no column '{}'; is '{}' meant?", column.name_label,
+                                    column.name, name));
     }
     left_out.push_back(fmt::format("{}: '{}'", column.name_label, column.name));
   }
@@ -193,11 +191,11 @@ History in_si_units(CsvTable& table, const std::vector<MappedColumn>& columns) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = columns[c].scale * values[i] + columns[c].offset;
       if (!(std::abs(values[i]) <= largest_magnitude))
-        table.fail(c, i, fmt::format("{} in SI units: a magnitude of at most 1e100 is allowed", values[i]));
+        table.fail(c, i, fmt::format("{} in SI units, allowed: a magnitude of at most 1e100", values[i]));
       if (values[i] < 0.0 && columns[c].name.ends_with(band_suffix))
-        table.fail(c, i, fmt::format("{}: a half width of 0 or more is allowed", values[i]));
+        table.fail(c, i, fmt::format("{}: is not a half width of 0 or more", values[i]));
       if (values[i] < 0.0 && columns[c].name.ends_with(standard_error_suffix))
-        table.fail(c, i, fmt::format("{}: a standard error of 0 or more is allowed", values[i]));
+        table.fail(c, i, fmt::format("{}: is not a standard error of 0 or more", values[i]));
     }
     if (c == 0) {
       history.time = std::move(values);
@@ -211,12 +209,12 @@ History in_si_units(CsvTable& table, const std::vector<MappedColumn>& columns) {
 void check_times(const CsvTable& table, const History& history) {
   constexpr std::size_t fewest = 3;  // the error of interpolation needs a parabola
   if (table.rows() < fewest)
-    throw CaseError(fmt::format("{}:{}:1: has {} rows, {} or more are needed", table.file.string(),
+    throw CaseError(fmt::format("{}:{}:1: has {} rows, needed: {} or more", table.file.string(),
                                 table.rows() > 0 ? table.lines.back() : 1, table.rows(), fewest));
   for (std::size_t i = 1; i < history.time.size(); ++i)
     if (!(history.time[i] > history.time[i - 1]))
       table.fail(0, i,
-                 fmt::format("{} s follows {} s: strictly rising times are allowed", history.time[i],
+                 fmt::format("{} s follows {} s, allowed: strictly rising times", history.time[i],
                              history.time[i - 1]));
 }
 
@@ -226,7 +224,7 @@ CsvTable select(CsvTable&& table, const std::vector<MappedColumn>& columns) {
   for (const auto& column : columns) {
     const auto found = std::find(table.names.begin(), table.names.end(), column.column);
     if (found == table.names.end())
-      throw CaseError(fmt::format("{}: the file {} has no '{}', allowed are {}", column.column_label,
+      throw CaseError(fmt::format("{}: the file {} has no '{}', allowed: {}", column.column_label,
                                   table.file.string(), column.column, fmt::join(table.names, ", ")));
     const auto c = static_cast<std::size_t>(found - table.names.begin());
     chosen.names.push_back(table.names[c]);

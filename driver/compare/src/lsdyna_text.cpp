@@ -57,7 +57,7 @@ class Rows {
 
   double number(const Word& word) const {
     const auto value = file_number_of(word.text);
-    if (!value) fail(word.column, fmt::format("'{}': a finite number is allowed", word.text));
+    if (!value) fail(word.column, fmt::format("'{}' is not a finite number", word.text));
     return *value;
   }
 
@@ -65,7 +65,7 @@ class Rows {
   bool wants(const Word& word) {
     const double value = number(word);
     if (!(value >= 1.0 && value <= 2e9 && value == std::floor(value)))
-      fail(word.column, fmt::format("'{}': a whole number from 1 on is allowed", word.text));
+      fail(word.column, fmt::format("'{}' is not a whole number of 1 or more", word.text));
     present_.insert(static_cast<int>(value));
     return value == number_.value_or(*present_.begin());
   }
@@ -117,7 +117,7 @@ class Rows {
       if (gap == table_.values[c].end()) continue;
       if (std::ranges::any_of(table_.values[c], [](double v) { return !std::isnan(v); }))
         table_.fail(c, static_cast<std::size_t>(gap - table_.values[c].begin()),
-                    fmt::format("the state has no {}, others have", table_.names[c]));
+                    fmt::format("the state has no {}, but others have", table_.names[c]));
       const auto i = static_cast<std::ptrdiff_t>(c);
       table_.names.erase(table_.names.begin() + i);
       table_.values.erase(table_.values.begin() + i);
@@ -182,7 +182,7 @@ void add_motion_magnitudes(Rows& rows) {
 double number_after(const Rows& rows, std::string_view line, std::string_view word) {
   const auto begin = line.find(word) + word.size();
   const auto words = words_of(line.substr(begin));
-  if (words.empty()) rows.fail(begin + 1, "ends before the time, a number is needed");
+  if (words.empty()) rows.fail(begin + 1, "ends before the number of the time");
   return rows.number({words[0].text, words[0].column + begin});
 }
 
@@ -195,7 +195,7 @@ std::vector<Word> fields_of(const Rows& rows, std::string_view line, std::size_t
     if (line.size() < begin + kWidth)
       rows.fail(begin + 1, fmt::format("the row ends in field {} of {}", i + 1, count));
     const auto words = words_of(line.substr(begin, kWidth));
-    if (words.size() != 1) rows.fail(begin + 1, "a field of 12 characters with one number is allowed");
+    if (words.size() != 1) rows.fail(begin + 1, "is not one number in a field of 12 characters");
     fields.push_back({words[0].text, words[0].column + begin});
   }
   return fields;
@@ -219,7 +219,7 @@ CsvTable read_nodout(const std::filesystem::path& file, std::optional<int> numbe
     if (block == Block::none || words.empty()) return;
     constexpr std::size_t kNode = 10, kTranslations = 12, kRotations = 9;
     const auto node = words_of(line.substr(0, std::min(kNode, line.size())));
-    if (node.size() != 1) rows.fail(1, "a node's number in ten characters is allowed");
+    if (node.size() != 1) rows.fail(1, "is not a node's number in ten characters");
     if (!rows.wants(node[0])) return;
     if (block == Block::translation) rows.begin_row(time);
     if (block == Block::rotation && !rows.has_row_at(time))
@@ -253,7 +253,7 @@ CsvTable read_rbdout(const std::filesystem::path& file, std::optional<int> numbe
     const auto row = [&](std::string_view name, std::size_t count, auto&& put) {
       if (words[0].text != name) return;
       if (words.size() != count + 1)
-        rows.fail(1, fmt::format("has {} numbers, {} are needed", words.size() - 1, count));
+        rows.fail(1, fmt::format("has {} numbers, needed: {}", words.size() - 1, count));
       put(std::span(words).subspan(1));
     };
     row("coordinates:", 3, [&](auto values) { rows.put("x_coor", values); });

@@ -24,7 +24,7 @@ std::string without_idle_zeros(std::string text) {
 }
 
 void require_finite(double value) {
-  if (!std::isfinite(value)) throw std::logic_error(fmt::format("a deck has no place for {}", value));
+  if (!std::isfinite(value)) throw std::logic_error(fmt::format("a deck cannot represent {}", value));
 }
 
 }  // namespace

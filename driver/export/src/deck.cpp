@@ -51,7 +51,7 @@ void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
   }
   deck.notes.push_back(
       {"pendulum.impactor_radius",
-       fmt::format("the sphere is {} flat triangles, up to {:.2g} of the radius inside it",
+       fmt::format("the sphere is made of {} flat triangles, up to {:.2g} of the radius inside it",
                    deck.sphere.elements.cols(), 1.0 - (nearest + deck.contact_gap) / radius)});
 }
 
@@ -71,8 +71,8 @@ void note_contact(const Scene& scene, Deck& deck) {
   deck.notes.push_back(
       {"membrane.mesh",
        fmt::format(
-           "contact acts on the bag's nodes alone: the longest edge is {:.3g} m, the impactor's radius "
-           "{:.3g} m, so that it sinks in up to {:.2g} m between nodes; edges below {:.2g} m are fine",
+           "contact acts on the bag's nodes only: the longest edge is {:.3g} m, the impactor's radius {:.3g} "
+           "m, so it sinks in by up to {:.2g} m between nodes; use edges below {:.2g} m",
            longest, radius, depth, std::sqrt(6.0 * radius * deck.contact_gap))});
 }
 
@@ -82,9 +82,9 @@ std::string jetting_of(DeckFormat format) {
            "closely enough to state a misfit";
   const CosineMisfit misfit = cosine_misfit();
   return fmt::format(
-      "The program's own jetting has one cosine of the incidence, the jet cos^2: {:.3g} of the "
-      "load in the root mean square over all directions; {:.3g}, {:.3g} and {:.3g} times at 30, "
-      "45 and 60 degrees",
+      "The program's own jetting is proportional to the cosine of incidence, the jet's load to cos^2: they "
+      "differ by {:.3g} of the load in the root mean square over all directions; the ratio is {:.3g}, {:.3g} "
+      "and {:.3g} at 30, 45 and 60 degrees",
       misfit.rms, misfit.ratio[0], misfit.ratio[1], misfit.ratio[2]);
 }
 
@@ -94,8 +94,8 @@ void note_jets(const Scene& scene, Deck& deck) {
     std::string text = fmt::format("jet of inflator {}: not written. ", part.inflator);
     if (model.shape == jet::OutletShape::round)
       text += fmt::format(
-          "Its far field is a product of an angle's and a distance's function about a virtual "
-          "origin {:.4g} m behind the outlet. ",
+          "Its far field is the product of a function of the angle and a function of the distance, about a "
+          "virtual origin {:.3g} m behind the outlet. ",
           jet::round_virtual_origin(model.decay_coefficient) * model.radius);
     deck.notes.push_back({"inflator.jet", text + jetting_of(deck.format)});
   }
@@ -121,7 +121,7 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
                                 scene.case_file.string()));
   if (scene.gas && scene.ambient.pressure == 0.0)
     throw CaseError(
-        fmt::format("{}: ambient.pressure: is 0, a number above 0 is allowed in decks: their bags "
+        fmt::format("{}: ambient.pressure: is 0, allowed for decks: a number above 0, because their bags "
                     "begin with gas of that pressure",
                     scene.case_file.string()));
   Deck deck;
@@ -141,7 +141,7 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   if (scene.bag->overpressure)
     deck.notes.push_back(
         {"membrane.overpressure",
-         "no history of displacements is asked for: the pictures (output.frames) have them"});
+         "no history of displacements is requested: the pictures (output.frames) have them"});
   note_jets(scene, deck);
   return deck;
 }

@@ -76,7 +76,7 @@ void add_fabric(const BagPart& bag, Deck& deck) {
       nominal.push_back({curve.strain[k], curve.stress[k]});
     stretched *= 1.0 + curve.strain.back();
     const std::string beyond =
-        fmt::format("beyond {:.4g}, where this program stops, it goes on straight", curve.strain.back());
+        fmt::format("beyond {:.4g}, where this program stops, it is extrapolated", curve.strain.back());
     if (deck.format == DeckFormat::radioss) {
       deck.threads[i] = {nominal, steepest(nominal)};
       deck.notes.push_back({key, fmt::format("all {} points; {}", nominal.size(), beyond)});
@@ -85,17 +85,15 @@ void add_fabric(const BagPart& bag, Deck& deck) {
     deck.threads[i] = {green_lagrange(nominal, share), steepest(nominal)};
     deck.notes.push_back(
         {key, fmt::format("{} points as {}, within {:.0e} of the last stress; {}. A version that takes them "
-                          "for nominal stress over stretch less 1 has up to {:.2g} of the last stress less",
+                          "for nominal stress over stretch minus 1 has up to {:.2g} of the last stress less",
                           nominal.size(), deck.threads[i].curve.size(), share, beyond,
                           misread(nominal, deck.threads[i].curve) / nominal.back()[1])});
   }
   if (deck.format == DeckFormat::radioss)
-    deck.notes.push_back(
-        {"fabric.weave.shear_modulus",
-         fmt::format(
-             "shear stress is G tan(angle), in the case times both stretches: with both at the end of "
-             "their curves it is {:.2g} of the case's",
-             1.0 / stretched)});
+    deck.notes.push_back({"fabric.weave.shear_modulus",
+                          fmt::format("shear stress is G tan(angle), in the case this times both stretches: "
+                                      "at the ends of both curves it is {:.2g} of the case's",
+                                      1.0 / stretched)});
 }
 
 }  // namespace driver

@@ -142,14 +142,13 @@ void add_initial_overpressure(const Scene& scene, Deck& deck) {
   if (!inflator.of_mass) {
     const double pulse = pulse_of(scene);
     inflator.mass_flow = {{0.0, 0.0}, {0.5 * pulse, 2.0 * mass / pulse}, {pulse, 0.0}, {end, 0.0}};
-    when = fmt::format(
-        "within the first {:.3g} s; a bag that breathes in a like time loses some of its first swing", pulse);
+    when = fmt::format("within the first {:.3g} s; a bag that breathes as fast loses some of its first swing",
+                       pulse);
   }
   deck.inflators.push_back(std::move(inflator));
   deck.notes.push_back(
       {"gas.initial.pressure",
-       fmt::format("the initial overpressure of {:.6g} Pa comes from an inflator of its own, "
-                   "{:.6g} kg {}",
+       fmt::format("the initial overpressure of {:.6g} Pa comes from an additional inflator, {:.6g} kg {}",
                    excess, mass, when)});
 }
 
@@ -158,7 +157,7 @@ void note_misfit(const DeckGas& gas, double highest, Deck& deck) {
   const double misfit = parabola ? gas.parabola_misfit : gas.misfit;
   if (misfit == 0.0) return;
   const std::string text =
-      fmt::format("cp of {} is off by up to {:.2g} % {} {:.0f} K", gas.name, 100.0 * misfit,
+      fmt::format("cp of {} differs by up to {:.2g} % {} {:.0f} K", gas.name, 100.0 * misfit,
                   parabola ? "from 250 to" : "between 1000 and", highest);
   if (std::ranges::find(deck.notes, text, &DeckNote::text) == deck.notes.end())
     deck.notes.push_back({"gas.thermodynamics", text});

@@ -110,7 +110,7 @@ void leave_out(const CaseDocument& document, const Deck& deck, std::vector<UsedF
     if (std::ranges::any_of(deck.omissions, holds, &DeckOmission::part))
       feature.outcome = {Mapping::left_out, "see below"};
     else if (std::ranges::any_of(idle, holds))
-      feature.outcome = {Mapping::left_out, "serves nothing that the deck has"};
+      feature.outcome = {Mapping::left_out, "serves no part of the deck"};
   }
 }
 

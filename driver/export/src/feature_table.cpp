@@ -10,7 +10,7 @@ constexpr Outcome no_inflow{Mapping::none, "no gas flows in from outside"};
 constexpr Outcome adiabatic{Mapping::none, "the walls are adiabatic"};
 constexpr Outcome lost_heat{Mapping::none, "the walls are adiabatic", true};
 constexpr Outcome stiff_wall{Mapping::none, "the wall is infinitely stiff", true};
-constexpr Outcome in_deck{Mapping::exact, "part of what the deck's numbers come from"};
+constexpr Outcome in_deck{Mapping::exact, "input of the deck's numbers"};
 constexpr Outcome solver{Mapping::none,
                          "of this program's own solution; the other program has its own settings"};
 constexpr Outcome output{Mapping::none, "of this program's own results; the other program has its own"};
@@ -23,7 +23,7 @@ constexpr Outcome molar{
     "a parabola of molar cp, by least squares from 250 K up: exact if cp is constant, else "
     "by the size below"};
 constexpr Outcome trigger{Mapping::approximated,
-                          "what time and signals fire becomes a time; pressure opens a vent"};
+                          "triggers by time and signals become times; pressure opens a vent"};
 constexpr Outcome law{
     Mapping::approximated,
     "linear law of logarithmic strain, woven fabric of linear strain: exact for Hencky while taut, for St. "
@@ -36,7 +36,7 @@ constexpr Outcome fabric_law{Mapping::approximated,
                              "Venant-Kirchhoff, in its invariant frame "
                              "(FORM 1) for Hencky: all agree to first order of strain"};
 constexpr Outcome curve_of_thread{Mapping::exact,
-                                  "function of nominal stress over stretch less 1, as in the case"};
+                                  "function of nominal stress over stretch minus 1, as in the case"};
 constexpr Outcome green_curve_of_thread{
     Mapping::approximated,
     "curve of second Piola-Kirchhoff stress over Green-Lagrange strain: exact at its points, between them by "
@@ -65,8 +65,8 @@ const std::vector<Feature>& features() {
        {Mapping::exact, "one gas with the mixture's molar mass and cp"}},
       {"gas.initial.composition_by", in_deck, in_deck},
       {"gas.initial.pressure",
-       {Mapping::approximated, "exact at ambient pressure; else an inflator of its own, see below"},
-       {Mapping::approximated, "exact at ambient pressure; else an inflator of its own, see below"}},
+       {Mapping::approximated, "exact at ambient pressure; else an additional inflator, see below"},
+       {Mapping::approximated, "exact at ambient pressure; else an additional inflator, see below"}},
       {"gas.initial.temperature", same, same},
       {"gas.species.name", in_deck, in_deck},
       {"gas.species.molar_mass", same, same},
@@ -164,7 +164,7 @@ const std::vector<Feature>& features() {
        {Mapping::approximated,
         "none: compressive principal stress is cut to 1e-3, and the tensile one keeps the Poisson effect of "
         "the wrinkled direction"},
-       {Mapping::approximated, "none: the program leaves compressive stress out"}},
+       {Mapping::approximated, "none: the program drops compressive stress"}},
       {"fabric.weave.young_modulus_weft", law, fabric_law},
       {"fabric.weave.shear_modulus", law, fabric_law},
       {"fabric.weave.warp",
@@ -251,12 +251,12 @@ const std::vector<Feature>& features_of_curves() {
   static const std::vector<Feature> table{
       {"fabric.law",
        {Mapping::exact,
-        "each thread by its own curve (LAW58), with no crimp to speak of and so no Poisson effect"},
+        "each thread by its own curve (LAW58), with almost no crimp and so no Poisson effect"},
        {Mapping::approximated,
         "each thread by its own curve (FORM 14), with no Poisson effect; unloading is along the curve"}},
       {"fabric.compression",
-       {Mapping::approximated, "none: a thread keeps 1e-6 of its steepest slope, as the program wants it"},
-       {Mapping::approximated, "none: the program leaves compressive stress out, that of shear too"}},
+       {Mapping::approximated, "none: a thread keeps 1e-6 of its steepest slope, as the program requires"},
+       {Mapping::approximated, "none: the program drops compressive stress, including that of shear"}},
       {"fabric.weave.shear_modulus", shear, own_shear},
       {"fabric.panel.weave", shear, own_shear},
       {"fabric.panel.weave.warp", same, same},

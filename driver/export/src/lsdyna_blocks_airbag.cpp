@@ -60,8 +60,9 @@ LsDynaVents single(const DeckVent& vent, double end) {
   if (vent.of_overpressure) vents.area = 0.0;
   if (vent.of_time && vent.opens_at_overpressure) {
     vents.area = 0.0;
-    vents.omissions.push_back({fmt::format("vent.{}", vent.number),
-                               "its curve begins when a pressure is reached, at a time that the run says"});
+    vents.omissions.push_back(
+        {fmt::format("vent.{}", vent.number),
+         "its curve begins when a pressure is reached, at a time known only in the run"});
     return vents;
   }
   if (vent.of_time || vent.opens_at > 0.0) {
@@ -87,11 +88,10 @@ LsDynaVents lsdyna_vents(const Deck& deck) {
     if (left_out)
       vents.omissions.push_back(
           {fmt::format("vent.{}", vent.number),
-           vent.opens_at_overpressure
-               ? "beside others, the airbag has no place for a vent that opens by pressure"
+           vent.opens_at_overpressure ? "with other vents, the airbag cannot have one that opens by pressure"
            : deck.leaks.empty()
-               ? "beside others, the airbag has no place for a later vent with a curve of pressure"
-               : "beside others and leaking fabric, the airbag has no place for a vent with a curve of "
+               ? "with other vents, the airbag cannot have a later one with a curve of pressure"
+               : "with other vents and leaking fabric, the airbag cannot have a vent with a curve of "
                  "pressure"});
     else if (vent.of_overpressure)
       pressed.push_back({vent.area, *vent.of_overpressure});

@@ -48,7 +48,7 @@ class BagAtRest {
         return volume();
     }
     if (interrupted()) return volume();
-    throw std::runtime_error(fmt::format("the bag does not come to rest at {} Pa", overpressure));
+    throw std::runtime_error(fmt::format("the bag does not come to rest at {:.3g} Pa", overpressure));
   }
 
  private:

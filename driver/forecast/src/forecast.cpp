@@ -63,18 +63,19 @@ void add_gas(const Scene& scene, const State& state, const Forecast& f, Groups& 
   const FullState& full = *f.full;
   const double ambient = scene.ambient.pressure, flow = f.supply.peak_flow;
   if (ambient > 0.0)
-    groups.add_number("full_pressure", "K.31", "pressure of the full volume over ambient",
+    groups.add_number("full_pressure", "K.31", "pressure of the full volume, relative to ambient",
                       full.pressure / ambient);
   if (ambient > 0.0 && !scene.gas->model.vents.empty())
-    groups.add_number("vent_choking", "K.32", "that pressure over the one from which vents choke",
+    groups.add_number("vent_choking", "K.32", "that pressure relative to the one at which vents choke",
                       full.pressure / ambient * gas::critical_pressure_ratio(full.gamma));
   if (flow > 0.0 && full.vent_flow > 0.0)
-    groups.add_size("vent_leak", "K.33", "outflow of the vents over the peak inflow", full.vent_flow / flow);
+    groups.add_size("vent_leak", "K.33", "outflow of the vents relative to the peak inflow",
+                    full.vent_flow / flow);
   if (flow > 0.0 && full.fabric_flow > 0.0)
-    groups.add_size("fabric_leak", "K.33", "outflow of the fabric over the peak inflow",
+    groups.add_size("fabric_leak", "K.33", "outflow of the fabric relative to the peak inflow",
                     full.fabric_flow / flow);
   if (full.vent_flow + full.fabric_flow > 0.0)
-    groups.add_number("gas_relaxation", "K.37", "relaxations of the gas in a step of the start",
+    groups.add_number("gas_relaxation", "K.37", "relaxations of the gas in a step at the start",
                       f.step * relaxation_rate(state.gas_point.mass, f));
   if (full.relaxations > 0.0)
     groups.add_number("gas_relaxations_in_scene", "K.39", "relaxations of the gas in the whole scene",
@@ -96,14 +97,14 @@ void add_jet_forces(const Scene& scene, const JetPart& part, const jet::OutletSt
   const double flux =
       (1.0 + model.restitution * outlet.reflected) * outlet.density * outlet.velocity * outlet.velocity;
   groups.add_size(
-      "jet_on_bag" + key_of(part), "K.35", text_of(part) + "its force over that of the pressure on the bag",
+      "jet_on_bag" + key_of(part), "K.35", text_of(part) + "its force relative to the pressure's on the bag",
       excess > 0.0 ? flux * part.outlet.area * outlet.area_ratio / (excess * bag * bag) : INFINITY);
   if (!scene.pendulum) return;
   const Eigen::Vector3d impactor = scene.pendulum->model.impactor_centre(scene.pendulum->initial.angle);
   const double ratio =
       jet::relative_velocity(jet::widened(model, outlet.area_ratio), impactor).dot(model.axis);
   groups.add_size("jet_on_impactor" + key_of(part), "K.35",
-                  text_of(part) + "its force over that of the pressure on the impactor, unhidden",
+                  text_of(part) + "its force relative to the pressure's on the impactor, not hidden",
                   excess > 0.0 ? flux * ratio * ratio / excess : INFINITY);
 }
 
@@ -124,7 +125,7 @@ void add_jet(const Scene& scene, const JetPart& part, const Forecast& f, Groups&
   const JetPeak peak = jet_peak(scene, part);
   if (!(peak.mass_flow > 0.0)) return;
   groups.add_size("below_sonic" + key_of(part), "K.34",
-                  text_of(part) + "share of the gas that leaves with less than ambient outlet pressure",
+                  text_of(part) + "share of the gas that leaves with an outlet pressure below ambient",
                   below_sonic_share(scene, part));
   if (f.full && f.full->fills) add_jet_forces(scene, part, peak.outlet, *f.full, groups);
   if (f.full) add_jet_mesh(scene, part, groups);
@@ -135,7 +136,7 @@ void add_bag(const Scene& scene, const FullState& full, Groups& groups) {
                stiffness = fabric_stiffness(scene.bag->model);
   if (full.fills)
     groups.add_size("fabric_stretch", "K.36",
-                    "stiffness of the gas over that of the fabric, breathing sphere",
+                    "stiffness of the gas relative to the fabric's, for a breathing sphere",
                     1.5 * full.gamma * full.pressure * radius / stiffness);
   if (scene.contact)
     groups.add_size("contact_mesh", "K.38", "(element side / diameter of the impactor)^2",
@@ -185,12 +186,11 @@ std::string gas_advice(const Scene& scene, const Forecast& f) {
   const double of_a_step = gas_substeps(scene, std::min(f.full->relaxations, f.step * f.full->relaxation));
   const int most = scene.gas->integrator.maximum_steps;
   return fmt::format(
-      "the gas method is explicit and takes some {:.1g} sub-steps, all relaxations (K.39) at its limit{}; "
-      "time.gas_method = \"dormand_prince\", the default, and \"rosenbrock\" have none",
+      "the gas method is explicit and needs some {:.1g} sub-steps for all relaxations (K.39){}; use "
+      "time.gas_method = \"dormand_prince\", the default, or \"rosenbrock\"",
       all,
       of_a_step > most
-          ? fmt::format("; some {:.1g} of them are of one step, in which the run would end after {}",
-                        of_a_step, most)
+          ? fmt::format("; some {:.1g} of them are in one step, where the run ends after {}", of_a_step, most)
           : "");
 }
 

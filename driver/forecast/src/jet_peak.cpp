@@ -18,21 +18,20 @@ void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::st
   const JetPeak peak = jet_peak(scene, part);
   const double ambient = scene.ambient.pressure;
   if (!(peak.mass_flow > 0.0))
-    warnings.push_back(fmt::format("jet of inflator {}: nothing flows up to the end", part.inflator));
+    warnings.push_back(fmt::format("jet of inflator {}: no flow up to the end", part.inflator));
   else if (peak.outlet.pressure < ambient)
-    warnings.push_back(fmt::format(
-        "jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass flow: a sonic "
-        "outlet of that area cannot blow into the bag (outlet = \"pressure_matched\" with temperature = "
-        "\"stagnation\" can)",
-        part.inflator));
+    warnings.push_back(
+        fmt::format("jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass "
+                    "flow, so a sonic outlet of that area cannot blow into the bag; use outlet = "
+                    "\"pressure_matched\" with temperature = \"stagnation\"",
+                    part.inflator));
   else if (const double share = below_sonic_share(scene, part);
            part.outlet.law == jet::OutletLaw::sonic && share >= kMatters)
-    warnings.push_back(fmt::format(
-        "jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall with the "
-        "mass "
-        "flow: below ambient under {:.3g} kg/s, with {:.2g} of the gas; a smaller outlet or outlet = "
-        "\"pressure_matched\" with temperature = \"stagnation\" avoids it",
-        part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
+    warnings.push_back(
+        fmt::format("jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall "
+                    "below ambient at less than {:.3g} kg/s, for {:.2g} of the gas; use a smaller outlet, or "
+                    "outlet = \"pressure_matched\" with temperature = \"stagnation\"",
+                    part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
 }
 
 jet::OutletModel sonic(jet::OutletModel model) {
@@ -79,11 +78,11 @@ void warn_of_cone(const Scene& scene, const JetPart& part, std::vector<std::stri
     if (gain > largest) std::tie(largest, where) = std::pair(gain, z);
   }
   if (largest > most)
-    warnings.push_back(fmt::format(
-        "jet of inflator {}: spread = \"cone\" carries {:.2g} times the momentum that leaves the outlet at "
-        "{:.2g} m from it: its force is as much too large; a smaller cone_half_angle, or spread = "
-        "\"momentum\", which keeps it, avoids that",
-        part.inflator, largest, where));
+    warnings.push_back(
+        fmt::format("jet of inflator {}: spread = \"cone\" has {:.2g} times the outlet's momentum at {:.2g} "
+                    "m from it, so its force is too large by this factor; use a smaller cone_half_angle, or "
+                    "spread = \"momentum\", which conserves it",
+                    part.inflator, largest, where));
 }
 
 void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
@@ -98,7 +97,7 @@ void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::stri
   const auto other = std::count_if(windings.begin(), windings.end(), [](const auto& w) { return w != 1; });
   if (other > 0)
     warnings.push_back(
-        fmt::format("jet of inflator {}: {} of {} rays looked at start where the winding number is not 1",
+        fmt::format("jet of inflator {}: {} of {} tested rays start where the winding number is not 1",
                     part.inflator, other, windings.size()));
 }
 
@@ -111,8 +110,8 @@ void warn_of_free_bag(const Scene& scene, std::vector<std::string>& warnings) {
   for (const JetPart& part : scene.jets) thrust += part.field.model().axis;
   if (!held && thrust.norm() > 0.1)
     warnings.emplace_back(
-        "nothing holds the bag against its jet: it may fly off the outlet, which stays where it is, and then "
-        "the jet meets nothing; membrane.fixed_panels holds it");
+        "nothing holds the bag against its jet: it may fly off the outlet, which does not move; hold it by "
+        "membrane.fixed_panels");
 }
 
 }  // namespace

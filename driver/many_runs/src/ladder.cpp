@@ -26,7 +26,7 @@ void need_size(LadderResult& result, double value, const char* where) {
   if (std::abs(value - result.zero) <= at_ambient * std::abs(result.zero))
     result.reason = fmt::format(
         "{} is {:g} in {}, the value that it counts from: no tolerance is a share of that; "
-        "a quantity that ends elsewhere, or a peak, is allowed",
+        "choose a quantity that ends elsewhere, or a peak",
         result.quantity, result.zero, where);
 }
 

@@ -31,7 +31,7 @@ void hold_axes(LadderPlan& plan, const std::vector<std::string>& hold) {
   for (const auto& axis : plan.axes) names.push_back(axis.name);
   for (const auto& name : hold)
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw CaseError(fmt::format("--hold {}: {}, allowed are {}", name.empty() ? "''" : name,
+      throw CaseError(fmt::format("--hold {}: {}, allowed: {}", name.empty() ? "''" : name,
                                   name.empty() ? "a name is empty" : "the scene has no such axis",
                                   fmt::join(names, ", ")));
   std::erase_if(plan.axes, [&](const LadderAxis& axis) {

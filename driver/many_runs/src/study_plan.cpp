@@ -52,7 +52,7 @@ void read_range(TableReader& table, StudyFactor& factor) {
   const auto range = table.at("range").numbers(any_number);
   factor.logarithmic = table.at("scale").choice<bool>({{"linear", false}, {"logarithmic", true}}, "linear");
   if (range.size() != 2 || !(range[0] < range[1]))
-    table.fail("range", "is no range, [low, high] with low < high is allowed");
+    table.fail("range", "is not a range, allowed: [low, high] with low < high");
   if (factor.logarithmic && !(range[0] > 0.0))
     table.fail("range", "reaches 0 or below, which a logarithmic scale does not");
   factor.low = range[0], factor.high = range[1];

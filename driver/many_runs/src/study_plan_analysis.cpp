@@ -92,8 +92,9 @@ void check_surface(TableReader& table, const StudyPlan& plan) {
     table.fail(key, fmt::format("of {} factors has {} terms and needs {} points or more, the plan has {}",
                                 factors, terms, terms + 1, plan.points.size()));
   if (plan.points.size() > most_cells / terms)
-    table.fail(key, fmt::format("has {} terms at {} points, at most {} points are allowed for as many", terms,
-                                plan.points.size(), most_cells / terms));
+    table.fail(key,
+               fmt::format("has {} terms at {} points, allowed for this number of terms: at most {} points",
+                           terms, plan.points.size(), most_cells / terms));
   if (!has_full_rank(*scaled_points(plan), terms))
     table.fail(key,
                fmt::format("has {} terms that the points do not tell apart: three values or more of each "

@@ -20,7 +20,7 @@ constexpr std::size_t most_runs = 10'000'000;  // of the first look of a stop ru
 void require_few(const TableReader& table, const StudyPlan& plan, std::size_t points) {
   const std::size_t seeds = static_cast<std::size_t>(std::max(plan.seeds, 1));
   if (points > most_runs / seeds)
-    table.fail("design", fmt::format("has {} points or more of {} runs each, at most {} runs are allowed",
+    table.fail("design", fmt::format("has {} points or more of {} runs each, allowed: at most {} runs",
                                      points, seeds, most_runs));
 }
 

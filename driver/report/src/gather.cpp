@@ -27,7 +27,7 @@ bool has_file(const std::filesystem::path& folder, const char* name) {
 
 Json read_json(const std::filesystem::path& file) {
   Json json = Json::parse(read_text(file), nullptr, false);
-  if (!json.is_object()) throw CaseError(file.string() + ": is no JSON object, or cut short");
+  if (!json.is_object()) throw CaseError(file.string() + ": is not a JSON object, or is incomplete");
   if (json.contains("run")) require_whole(file, json["run"].get<std::string>());
   return json;
 }
@@ -115,7 +115,7 @@ std::string run_line(const PageTable& table) {
 // Throws CaseError unless two files are of one run; for folders without a status.
 void require_same_run(const std::filesystem::path& file, const std::string& own, const PageTable& main) {
   if (const auto other = run_line(main); !own.empty() && !other.empty() && own != other)
-    throw CaseError(fmt::format("{}: is of the run '{}', the table beside it of '{}': run the case again",
+    throw CaseError(fmt::format("{}: is of the run '{}', but the table beside it of '{}': run the case again",
                                 file.string(), own, other));
 }
 
@@ -123,8 +123,9 @@ void require_same_run(const std::filesystem::path& file, const std::string& own,
 void require_same_run(const std::filesystem::path& file, const PageTable& table, const PageTable& main) {
   require_same_run(file, run_line(table), main);
   if (table.end != main.end)
-    throw CaseError(fmt::format("{}: ends at {} s, the table beside it at {} s: one of them is cut",
-                                file.string(), table.end, main.end));
+    throw CaseError(
+        fmt::format("{}: ends at {} s, but the table beside it at {} s: one of them is incomplete",
+                    file.string(), table.end, main.end));
 }
 
 std::string run_in(const Json& json) {
@@ -133,7 +134,7 @@ std::string run_in(const Json& json) {
 
 void require_end(double end, const char* who, const std::filesystem::path& file, double last) {
   if (last < end * (1.0 - 1e-6))
-    throw CaseError(fmt::format("{}: ends at {} s, the run at {} s ({} says so): the file is cut",
+    throw CaseError(fmt::format("{}: ends at {} s, but the run at {} s (see {}): the file is incomplete",
                                 file.string(), last, end, who));
 }
 
@@ -203,7 +204,7 @@ Json gather_ensemble(const std::filesystem::path& folder, const ReportOptions& o
   const Json all = read_json(folder / "ensemble.json");
   if (!all.value("run", Json()).is_string() || !all.value("runs_ended", Json()).is_number() ||
       !all.contains("time_end_s"))
-    throw CaseError((folder / "ensemble.json").string() + ": is no result of gasjet ensemble");
+    throw CaseError((folder / "ensemble.json").string() + ": is not a result of gasjet ensemble");
   require_same_run(folder / "ensemble.json", run_in(all), table);
   if (const Json& end = all["time_end_s"]; !end.is_null())
     require_end(end, "ensemble.json", folder / "ensemble.csv", table.end);
@@ -221,7 +222,7 @@ Json gather_ladder(const std::filesystem::path& folder) {
   ladder["ladder"] = read_json(folder / "ladder.json");
   if (const Json& own = ladder["ladder"];
       !own.value("rungs", Json()).is_array() || !own.value("quantity", Json()).is_string())
-    throw CaseError((folder / "ladder.json").string() + ": is no result of gasjet ladder");
+    throw CaseError((folder / "ladder.json").string() + ": is not a result of gasjet ladder");
   ladder["build"] = ladder["ladder"].value("build", Json());
   return ladder;
 }
@@ -249,12 +250,12 @@ std::vector<Json> gather(const std::filesystem::path& result, const ReportOption
   std::error_code ignored;
   const bool is_run = has_file(result, "history.csv");
   if (!options.reference.empty() && !is_run && has_file(result, "ladder.json"))
-    throw CaseError(fmt::format("--against: {} is a ladder, a run, an ensemble or a history (CSV) is allowed",
+    throw CaseError(fmt::format("--against: {} is a ladder, allowed: a run, an ensemble or a history (CSV)",
                                 result.string()));
   if (std::filesystem::is_regular_file(result, ignored)) {
     if (result.extension() != ".csv" && read_status(result.parent_path()))
       throw CaseError(
-          fmt::format("{}: is a part of a result: its folder or a CSV file is allowed", result.string()));
+          fmt::format("{}: is a part of a result, allowed: its folder or a CSV file", result.string()));
     return {gather_curves(result, options)};
   }
   if (!std::filesystem::is_directory(result, ignored))
@@ -266,12 +267,11 @@ std::vector<Json> gather(const std::filesystem::path& result, const ReportOption
   for (const auto& folder : ensembles_in(result)) list.push_back(gather_ensemble(folder, options));
   if (const auto status = read_status(result); list.empty() && status && status->status != "done")
     throw CaseError(
-        fmt::format("{}: has no results yet, its {} is {} ({} says so): the same command goes on "
-                    "from there",
+        fmt::format("{}: has no results yet, its {} is {} (see {}): run the same command to continue",
                     result.string(), status->command, status->status, status_file));
   if (list.empty())
-    throw CaseError(
-        fmt::format("{}: is no result: it has no history.csv, ensemble.csv or ladder.json", result.string()));
+    throw CaseError(fmt::format("{}: is not a result: it has no history.csv, ensemble.csv or ladder.json",
+                                result.string()));
   return list;
 }
 

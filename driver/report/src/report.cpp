@@ -48,7 +48,7 @@ std::string report_page(const std::vector<std::filesystem::path>& results, const
   for (const auto& result : results) try {
       for (Json& one : gather(result, options)) list.push_back(std::move(one));
     } catch (const Json::exception&) {
-      throw CaseError(result.string() + ": its JSON is none that gasjet writes");
+      throw CaseError(result.string() + ": its JSON is not from gasjet");
     }
   name_apart(list);
   data["results"] = std::move(list);

@@ -59,7 +59,7 @@ std::vector<std::string> header(Reader& reader, PageTable& table) {
     names.push_back(line.substr(begin, end - begin));
     begin = end + 1;
   }
-  if (std::ranges::count(names, "time_s") != 1) reader.fail(1, "time_s: is to be one of the columns, once");
+  if (std::ranges::count(names, "time_s") != 1) reader.fail(1, "time_s: must be one of the columns, once");
   if (std::set<std::string>(names.begin(), names.end()).size() != names.size())
     reader.fail(1, "two columns have one name");
   return names;
@@ -88,7 +88,7 @@ class Bands {
             1, fmt::format("{}: {} is above {}, {}", names_[low], values[low], names_[high], values[high]));
     for (const std::size_t c : half_widths_)
       if (values[c] < 0.0)
-        reader.fail(1, fmt::format("{}: {}: a half width of 0 or more is allowed", names_[c], values[c]));
+        reader.fail(1, fmt::format("{}: {}: is not a half width of 0 or more", names_[c], values[c]));
   }
 
  private:
@@ -111,12 +111,12 @@ void parse(const Reader& reader, const std::string& line, const std::vector<std:
       reader.fail(begin + 1, fmt::format("a row of more than {} columns", names.size()));
     const auto value = number_of(cell);
     if (!value)
-      reader.fail(begin + 1, fmt::format("{}: '{}': a finite number is allowed", names[values.size()], cell));
+      reader.fail(begin + 1, fmt::format("{}: '{}' is not a finite number", names[values.size()], cell));
     values.push_back(*value);
     begin = end + 1;
   }
   if (values.size() != names.size())
-    reader.fail(1, fmt::format("has {} columns, the header {}", values.size(), names.size()));
+    reader.fail(1, fmt::format("has {} columns, but the header {}", values.size(), names.size()));
 }
 
 std::size_t count_rows(const std::filesystem::path& file) {

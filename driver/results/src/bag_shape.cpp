@@ -53,7 +53,8 @@ class XmlText {
     return true;
   }
   void need(std::string_view what) {
-    if (!find(what)) fail(file_, fmt::format("'{}' is missing: it is damaged, or not of gasjet", what));
+    if (!find(what))
+      fail(file_, fmt::format("'{}' is missing: the file is damaged, or not from gasjet", what));
   }
   std::string quoted(std::string_view attribute) {
     need(fmt::format(" {}=\"", attribute));
@@ -65,7 +66,7 @@ class XmlText {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
-      fail(file_, fmt::format("'{}' is no number", text));
+      fail(file_, fmt::format("'{}' is not a number", text));
     if constexpr (std::is_floating_point_v<Number>)
       if (!std::isfinite(value)) fail(file_, fmt::format("'{}' is not finite", text));
     return value;
@@ -85,7 +86,7 @@ class XmlText {
   int count(std::string_view attribute) {
     const int value = number<int>(quoted(attribute));
     if (value < 1 || static_cast<std::size_t>(value) > text_.size() / 2)
-      fail(file_, fmt::format("{} is {}, which the file cannot hold", attribute, value));
+      fail(file_, fmt::format("{} is {}, more than the file can contain", attribute, value));
     return value;
   }
 
@@ -170,7 +171,7 @@ double scalar(const Frames& frames, std::size_t frame, const char* name) {
 
 BagShape of_frames(const std::filesystem::path& file, double time) {
   const Frames frames = load_frames(file);
-  if (frames.header.value("rigid", false)) fail(file, "is of a rigid target: a run with a bag is needed");
+  if (frames.header.value("rigid", false)) fail(file, "is of a rigid target, needed: a run with a bag");
   const auto size = frames.header["frame_bytes"].get<std::size_t>();
   std::vector<double> times;
   for (std::size_t i = 0; i < frames.data.size() / size; ++i) times.push_back(scalar(frames, i, "time_s"));

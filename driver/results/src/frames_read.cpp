@@ -39,12 +39,12 @@ std::string fault(const Json& header, std::string_view frames) {
       !header.at("jets").is_array() || !header.at("plates").is_array())
     return "its header contradicts itself";
   if (frames.empty() || frames.size() % size != 0)
-    return fmt::format("holds {} bytes of frames, whole frames of {} bytes are needed", frames.size(), size);
+    return fmt::format("has {} bytes of frames, needed: whole frames of {} bytes", frames.size(), size);
   for (std::size_t begin = 0; begin < frames.size(); begin += size)
     for (std::size_t k = 0; k < scalars; ++k) {
       const double number = number_at(frames.substr(begin), k);
       if (!std::isfinite(number))
-        return fmt::format("frame {} holds a number that is not finite", begin / size);
+        return fmt::format("frame {} has a number that is not finite", begin / size);
       if (k == 0 && begin > 0 && !(number > number_at(frames.substr(begin - size), 0)))
         return fmt::format("the time of frame {} does not rise", begin / size);
     }
@@ -67,7 +67,7 @@ Frames load_frames(const std::filesystem::path& file) {
     require_whole(file, header.value("run", std::string()));
     if (const std::string message = fault(header, frames); !message.empty()) fail(message);
   } catch (const Json::exception&) {
-    fail("its header lacks what this gasjet needs");
+    fail("its header is incomplete for this version of gasjet");
   }
   return {std::move(header), std::move(frames)};
 }

@@ -50,7 +50,7 @@ void CsvWriter::write(const Scene& scene, const State& state) {
   std::string line;
   for (const Column& column : columns_) {
     const double value = column.value(scene, state);
-    if (!std::isfinite(value)) throw WriteError(fmt::format("{} is no finite number", column.name));
+    if (!std::isfinite(value)) throw WriteError(fmt::format("{} is not a finite number", column.name));
     if (!line.empty()) line += ',';
     fmt::format_to(std::back_inserter(line), "{}", value);
   }

@@ -49,8 +49,8 @@ std::string note_of_crossing(const std::vector<SkinCheck>& checks) {
   const auto worst = std::ranges::max_element(checks, {}, share);
   if (worst == checks.end() || share(*worst) <= limit) return {};
   return fmt::format(
-      "membrane: the skin passes through itself, since nothing keeps its layers apart: at {:.3g} s {}; above "
-      "{:g} % pressure and volume are off by about that share; a start less folded or flattened crosses less",
+      "membrane: the skin passes through itself, because layers do not touch each other: at {:.3g} s {}; "
+      "above {:g} % pressure and volume are wrong by about that share. Start less folded or flattened",
       worst->time, text_of(worst->crossing, worst->volume), 100.0 * limit);
 }
 

@@ -72,9 +72,9 @@ void check_pressures(const TankReadings& readings, Noise noise) {
     if (readings.chamber[i] < tank - slack * (noise == Noise::of_reading ? tank : 1.0))
       throw ReadingError("chamber pressure", i,
                          to_text(readings.chamber[i]) + " Pa is below the tank's " + to_text(tank) +
-                             " Pa by more than noise that is a share of the " +
+                             " Pa by more than noise as a share of the " +
                              (noise == Noise::of_reading ? "reading" : "full scale") +
-                             " explains: must not be below it");
+                             ": must not be below it");
   }
 }
 

@@ -44,7 +44,7 @@ void Inversion::scale_to_mass(const Burn& burn, std::vector<double>& mass_flow) 
     mass_flow[i] = i >= burn.first && i <= burn.last ? std::max(0.0, mass_flow[i]) : 0.0;
   const double ratio = test_.total_mass / masses(mass_flow).back();
   if (!(ratio > 0.0 && std::isfinite(ratio)))
-    throw DomainError("tank test: the tank pressure does not rise: no mass flow follows from it");
+    throw DomainError("tank test: the tank pressure does not rise, so there is no mass flow");
   for (double& flow : mass_flow) flow *= ratio;
 }
 
@@ -118,7 +118,8 @@ FlowCurves Inversion::dual_pressure(const Burn& burn, const FlowCurves& guess) c
     std::vector<double> next = masses(flow.mass_flow);
     const double ratio = test_.total_mass / next[burn.end];
     if (!(ratio > 0.0 && std::isfinite(ratio)))
-      throw DomainError("tank test: no outlet's area gives the mass: pressures, volume and mass do not fit");
+      throw DomainError(
+          "tank test: no area of the outlet gives the mass: pressures, volume and mass do not fit");
     double change = std::abs(ratio - 1.0);
     for (std::size_t j = 0; j < mass.size(); ++j) {
       // The mass so far is a share of the total, so that no step leaves the range of temperatures.

@@ -18,7 +18,7 @@ constexpr std::size_t kWeightReach = 4;  // readings on each side that enter the
 void check_readings(std::span<const double> times, std::span<const double> readings, std::string_view name,
                     Noise noise) {
   require(noise == Noise::of_reading || noise == Noise::of_full_scale, "noise", static_cast<double>(noise),
-          "must be an enumerator");
+          "must be one of its enumerators");
   require(times.size() >= SmoothingSpline::kFewestReadings, "number of readings",
           static_cast<double>(times.size()), "20 or more are needed");
   require(readings.size() == times.size(), "number of readings", static_cast<double>(readings.size()),

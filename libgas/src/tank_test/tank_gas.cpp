@@ -88,7 +88,7 @@ double TankGas::delivered(double p, double enthalpy, double most, double guess) 
 
 double TankGas::inflow_temperature(double enthalpy) const {
   if (!(enthalpy >= inflator_.enthalpy(range_.low) && enthalpy <= inflator_.enthalpy(range_.high)))
-    throw DomainError("tank test: the mean temperature of what came in is outside " + to_text(range_.low) +
+    throw DomainError("tank test: the mean temperature of the inflow is outside " + to_text(range_.low) +
                       " to " + to_text(range_.high) + " K: pressures, volume and mass do not fit");
   return rising_root(range_.low, range_.high, kGuess,
                      [&](double t) { return std::pair(inflator_.enthalpy(t) - enthalpy, inflator_.cp(t)); });

@@ -73,7 +73,7 @@ void validate(const OutletModel& model) {
     refuse_value("outlet temperature", static_cast<double>(model.temperature), "an enumerator");
   if (model.law != OutletLaw::sonic && model.temperature != OutletTemperature::stagnation) {
     throw std::invalid_argument(
-        "outlet temperature is static, allowed with the pressure-matched or expanded outlet: stagnation");
+        "outlet temperature is static, allowed for the pressure-matched or expanded outlet: stagnation");
   }
 }
 

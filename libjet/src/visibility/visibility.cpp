@@ -53,7 +53,8 @@ void set_tree_route(OtherRoute route) {
   tree_route = route;
 }
 bool has_route(VisibilityRoute route) {
-  if (static_cast<int>(route) < 0 || route > VisibilityRoute::brute_force) refuse("route is no enumerator");
+  if (static_cast<int>(route) < 0 || route > VisibilityRoute::brute_force)
+    refuse("route is not an enumerator");
   return route != VisibilityRoute::cgal_tree || tree_route.load() != nullptr;
 }
 
@@ -170,7 +171,7 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
                                           double displacement_bound) {
   impl_->fast.move_to(displacement_bound);  // for every route, even if the input is then refused
   impl_->check(nodes, source, candidates);
-  if (lit.size() != candidates.size()) refuse("lit has another size than candidates");
+  if (lit.size() != candidates.size()) refuse("lit and candidates differ in size");
   if (!has_route(route)) refuse("route cgal_tree is not part of this program, allowed: fast, brute_force");
   const Surface surface = impl_->surface(nodes);
   if (candidates.empty() || route != VisibilityRoute::fast) check_nodes(surface);

@@ -18,8 +18,7 @@ DeckCard::DeckCard(const DeckMesh& deck, int file, std::size_t line, std::string
     const std::string_view whole = text.substr(begin, end - begin);
     const std::size_t first = whole.find_first_not_of(" \t");
     if (const auto tab = whole.find('\t'); !free && tab != std::string_view::npos)
-      deck.fail({file, line, begin + tab + 1},
-                "a tab stands in fields of columns; blanks or commas are allowed");
+      deck.fail({file, line, begin + tab + 1}, "a tab in fields of columns, allowed: blanks or commas");
     if (first == std::string_view::npos)
       fields_.push_back({{}, begin + 1, free || whole.size() == widths[i]});
     else
@@ -33,7 +32,7 @@ DeckMesh::Id DeckCard::id(std::size_t i, const char* what) const {
   if (const auto value = whole(i)) return *value;
   const std::string_view text = fields_[i].text;
   deck_.fail(place(i), std::string(what) + " is " + (text.empty() ? "blank" : shown(text)) +
-                           "; a whole number above 0 is allowed");
+                           ", allowed: a whole number above 0");
 }
 
 std::optional<DeckMesh::Id> DeckCard::whole(std::size_t i) const {

@@ -30,9 +30,9 @@ class DeckFiles {
   void include(const DeckMesh& deck, const Place& place, std::string_view card, const Parse& parse) {
     const std::size_t first = card.find_first_not_of(" \t");
     const std::string name(card.substr(first, card.find_last_not_of(" \t") + 1 - first));
-    if (!read_) deck.fail(place, "include: this text has no folder in which other files could be");
+    if (!read_) deck.fail(place, "include: this text has no folder for other files");
     if (depth_ == 16 || ++count_ > 1000)
-      deck.fail(place, "include: at most 1000 files are read, and 16 of them within each other");
+      deck.fail(place, "include: more than 1000 files, or more than 16 nested ones");
     ++depth_;
     parse(text_of(deck, place, name), name);
     --depth_;

@@ -64,13 +64,13 @@ DeckPlaces DeckMesh::design() {
   for (const Node& node : nodes_) start.emplace(node.number, node.position);
   auto shape = reference_.shape(shells_, start);
   if (shape.half)
-    neglect("the reference shape, as the deck lists of part " + std::to_string(*shape.half) +
-            " the nodes of its seams only");
+    neglect("the reference shape, because the deck lists only the nodes at seams of part " +
+            std::to_string(*shape.half) + "");
   else if (!shape.two_places)
     return std::move(shape.places);
   if (!shape.two_places) return {};
   neglect("the reference shape, which has node " + std::to_string(*shape.two_places) +
-          " in two places, as panels that are cut flat have");
+          " in two places, as for panels cut flat");
   return {};
 }
 

@@ -18,7 +18,7 @@ namespace mesh {
 namespace {
 
 constexpr long long kMostTag = 2'000'000'000;
-constexpr const char* kOneGroup = "; a panel is one group: take the surface out of the other";
+constexpr const char* kOneGroup = "; remove it from one of them";
 
 // Number of corners of a first-order element that is read or skipped; 0 for other types.
 std::size_t corners_of(long long type) {
@@ -40,7 +40,7 @@ std::size_t known_corners(const TokenReader& words, const MeshWord& at, long lon
   const std::size_t corners = corners_of(type);
   if (corners == 0)
     words.fail(at, "element type " + std::to_string(type) +
-                       " is not read here; allowed: 2 triangle, 3 quad (1 line and 15 point are skipped)");
+                       " is not supported; allowed: 2 triangle, 3 quad (1 line and 15 point are skipped)");
   return corners;
 }
 
@@ -62,8 +62,8 @@ void require_one_group(const TokenReader& words, const std::vector<Element>& ele
     const Element &first = *sorted[i - 1].second, &again = *sorted[i].second;
     if (sorted[i].first == sorted[i - 1].first && first.panel != again.panel)
       words.fail({{}, again.line, 1}, "the element of line " + std::to_string(first.line) +
-                                          " is here again: it is in two physical groups, " + first.panel +
-                                          " and " + again.panel + kOneGroup);
+                                          " is repeated because it is in two physical groups, " +
+                                          first.panel + " and " + again.panel + kOneGroup);
   }
 }
 
@@ -84,7 +84,7 @@ class GmshParser {
     const MeshWord version = words_.word("the version");
     is_new_ = version.text == "4.1";
     if (!is_new_ && version.text != "2.2" && version.text != "2.1" && version.text != "2")
-      words_.fail(version, "version " + shown(version.text) + " is not read here; allowed: 2.2 and 4.1");
+      words_.fail(version, "version " + shown(version.text) + " is not supported; allowed: 2.2 and 4.1");
     const MeshWord binary = words_.word("0");
     if (binary.text != "0") words_.fail(binary, "a binary file; write it as ASCII (Mesh.Binary = 0)");
     words_.integer("the size of a number", 1, 64);
@@ -94,7 +94,7 @@ class GmshParser {
   void section() {
     const MeshWord begin = words_.word("a section");
     if (!begin.text.starts_with('$') || begin.text.starts_with("$End"))
-      words_.fail(begin, shown(begin.text) + " stands where a section is needed, such as $Nodes");
+      words_.fail(begin, shown(begin.text) + " is found instead of a section such as $Nodes");
     const std::string end = "$End" + std::string(begin.text.substr(1));
     if (begin.text == "$PhysicalNames") {
       physical_names();

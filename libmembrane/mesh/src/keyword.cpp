@@ -138,8 +138,8 @@ class KeywordParser {
     word_ = upper(line.substr(0, line.find_first_of(" \t,")));
     const std::size_t rest = line.find_first_not_of(" \t", word_.size());
     const bool is_first = at_.section == Section::start;
-    if (at_.section == Section::include) fail(1, "*INCLUDE before it names no file");
-    if (cards_left_ > 0) fail(1, "the shell before has not the card that its keyword asks for");
+    if (at_.section == Section::include) fail(1, "the *INCLUDE before it names no file");
+    if (cards_left_ > 0) fail(1, "the shell before lacks the card that its keyword requires");
     if (word_ == "*KEYWORD" || word_ == "*KEYWORD_ID" || word_ == "*KEYWORD_JOBID")
       return options_of_file(line);
     if (is_first && at_.file == 0) fail(1, shown(word_) + ": a keyword file begins with *KEYWORD");
@@ -151,8 +151,8 @@ class KeywordParser {
     if (!is_read && changes_bag(word_)) deck_.neglect(word_);
     // Such as *NODE %, which means other columns: reading them could give a wrong mesh.
     if (is_read && at_.section != Section::end && rest < line.size())
-      fail(rest + 1, shown(line.substr(rest)) + " after " + word_ + " is not read here; " + word_ +
-                         " alone on its line is allowed");
+      fail(rest + 1, shown(line.substr(rest)) + " after " + word_ + " is not supported; " + word_ +
+                         " must be alone on its line");
   }
 
   Section section_of(const std::string& word) {
@@ -170,7 +170,7 @@ class KeywordParser {
     if (word.starts_with(kShell) || word.starts_with("*ELEMENT_GENERATE_SHELL") ||
         word.starts_with("*NODE") || word.starts_with("*INCLUDE"))
       fail(1, shown(word) +
-                  " is not read here; allowed are *NODE, *PART, *INCLUDE, and *ELEMENT_SHELL, also with "
+                  " is not supported, allowed: *NODE, *PART, *INCLUDE, and *ELEMENT_SHELL, also with "
                   "_THICKNESS, _BETA, _MCID and _OFFSET");
     return word.starts_with("*ELEMENT") ? Section::elements : Section::skipped;
   }
@@ -183,9 +183,8 @@ class KeywordParser {
     const auto at =
         std::min(options.find("I10"), at_.file_is_long ? std::string::npos : options.find("LONG"));
     if (at < options.size() && !options.substr(at).starts_with("LONG=S"))
-      fail(word_.size() + at + 1, shown(options.substr(at)) +
-                                      " is not read here; allowed: LONG=Y (20 columns), "
-                                      "LONG=S or nothing");
+      fail(word_.size() + at + 1,
+           shown(options.substr(at)) + " is not supported; allowed: LONG=Y (20 columns), LONG=S or nothing");
   }
 
   void node(std::string_view line) {
@@ -201,7 +200,7 @@ class KeywordParser {
     if (!fields.blank_or_zero(5)) corners.push_back(fields.corner(5));
     for (std::size_t i = 6; i < 10; ++i)
       if (!fields.blank_or_zero(i))
-        deck_.fail(fields.place(i), "shells of more than 4 nodes are not read here");
+        deck_.fail(fields.place(i), "shells of more than 4 nodes are not supported");
     deck_.add_shell(number, part, std::move(corners), fields.place(0));
     cards_left_ = cards_of_shell_;
   }
@@ -215,8 +214,9 @@ class KeywordParser {
     for (std::size_t i = 2; i < 5; ++i) numbers.insert(fields.whole(i).value_or(0));
     const bool is_shell = fields.whole(0) && fields.whole(1) && numbers.size() == 3 && !numbers.contains(0);
     if (is_shell)
-      deck_.fail(fields.place(0),
-                 "looks like a shell, but a card of the option of the one before is due: " + shown(line));
+      deck_.fail(
+          fields.place(0),
+          "looks like a shell, but the shell before still needs the card of its option: " + shown(line));
   }
 
   void title(std::string_view line) {

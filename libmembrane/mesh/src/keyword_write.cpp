@@ -14,7 +14,7 @@ void require_title(const std::string& name) {
       std::any_of(name.begin(), name.end(), bad))
     throw std::invalid_argument(
         "panel_names: \"" + name +
-        "\"; must be non-empty, without control characters, and not begin with * or $");
+        "\"; a name must not be empty, have control characters, or begin with * or $");
 }
 
 void append_card(int id, const Eigen::Vector3d& x, std::string& text) {

@@ -44,7 +44,7 @@ class Neighbours {
     for (std::size_t c = 0; c < 3; ++c) {
       const double place = std::floor(x[static_cast<Eigen::Index>(c)] / tolerance_);
       if (!(std::abs(place) < 0x1p52))
-        throw std::invalid_argument("a node is too far away for so small a tolerance, or not finite");
+        throw std::invalid_argument("a node is not finite, or too far away for this tolerance");
       cube[c] = static_cast<std::int64_t>(place);
     }
     return cube;

@@ -71,7 +71,7 @@ Mesh read_mesh(const std::filesystem::path& path) {
     included.push_back(path.parent_path() / file);
     std::error_code ignored;  // a pipe may be endless
     if (!std::filesystem::is_regular_file(included.back(), ignored))
-      throw MeshFileError(included.back().string(), 0, 0, "is no file that can be read");
+      throw MeshFileError(included.back().string(), 0, 0, "is not a readable file");
     return read_text(included.back());
   };
   const auto with_included = [&](Mesh mesh) {

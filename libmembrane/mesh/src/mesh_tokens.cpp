@@ -70,8 +70,8 @@ long long TokenReader::integer(const char* what, long long low, long long high) 
   const char* last = found.text.data() + found.text.size();
   const auto [end, error] = std::from_chars(found.text.data(), last, value);
   if (error != std::errc() || end != last || value < low || value > high)
-    fail(found, std::string(what) + " is " + shown(found.text) + "; a whole number from " +
-                    std::to_string(low) + " to " + std::to_string(high) + " is allowed");
+    fail(found, std::string(what) + " is " + shown(found.text) + ", allowed: a whole number from " +
+                    std::to_string(low) + " to " + std::to_string(high));
   return value;
 }
 

@@ -81,8 +81,8 @@ class ObjParser {
     if (keyword == "g" || keyword == "o") return panel(tokens);
     if (std::find(skipped.begin(), skipped.end(), keyword) == skipped.end())
       fail(tokens[0], shown(keyword) +
-                          " is not a statement read here; allowed: v, f, g, o (vt, vn, vp, s, l, p, "
-                          "usemtl, mtllib are skipped)");
+                          " is not a supported statement; allowed: v, f, g, o (vt, vn, vp, s, l, p, usemtl, "
+                          "mtllib are skipped)");
   }
 
   void node(const std::vector<Token>& tokens) {

@@ -45,11 +45,11 @@ class OffParser {
       words_.fail(begin, "an OFF file begins with OFF");
     const std::string_view prefix = begin.text.substr(0, begin.text.size() - 3);
     if (prefix.find_first_of("4n") != std::string_view::npos)
-      words_.fail(begin, shown(begin.text) + " is not read here; vertices of three coordinates are");
+      words_.fail(begin, shown(begin.text) + " is not supported; vertices of three coordinates are");
     if (layout_ == Layout::words && !prefix.empty())
       words_.fail(begin, shown(begin.text) + " needs a line for each vertex");
     const MeshWord first = words_.peek("the number of vertices");
-    if (first.text == "BINARY") words_.fail(first, "binary OFF is not read here; write the file as text");
+    if (first.text == "BINARY") words_.fail(first, "binary OFF is not supported; write the file as text");
     header_line_ = first.line;
     vertices_ = words_.count("the number of vertices");
     const std::size_t line = words_.peek("the number of faces").line;
@@ -92,7 +92,7 @@ class OffParser {
     begin("face " + std::to_string(i + 1) + " of the " + std::to_string(faces_));
     const MeshWord at = words_.word("the number of corners");
     if (at.text != "3" && at.text != "4")
-      words_.fail(at, "a face of " + shown(at.text) + " corners; 3 or 4 are allowed");
+      words_.fail(at, "a face of " + shown(at.text) + " corners, allowed: 3 or 4");
     std::vector<int> corners(at.text == "3" ? 3 : 4);
     for (int& corner : corners) {
       stay("the last corner");
@@ -109,7 +109,7 @@ class OffParser {
     for (; !words_.at_end(); words_.rest_of_line()) ++lines;
     words_.fail(more, "the header in line " + std::to_string(header_line_) + " announces " +
                           std::to_string(vertices_) + " vertices and " + std::to_string(faces_) +
-                          " faces, and the file goes on for " + std::to_string(lines) +
+                          " faces, but the file continues for " + std::to_string(lines) +
                           (lines == 1 ? " line" : " lines") + " here; correct the header");
   }
 

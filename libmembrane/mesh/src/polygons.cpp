@@ -22,7 +22,7 @@ Mesh mesh_of_polygons(const Eigen::Matrix3Xd& nodes, const std::vector<std::vect
     const std::vector<int>& corners = polygons[i];
     const std::string where = "element " + std::to_string(i) + ": ";
     if (corners.size() != 3 && corners.size() != 4)
-      throw std::invalid_argument(where + std::to_string(corners.size()) + " corners; 3 or 4 are allowed");
+      throw std::invalid_argument(where + std::to_string(corners.size()) + " corners, allowed: 3 or 4");
     for (const int node : corners)
       if (node < 0 || node >= nodes.cols())
         throw std::invalid_argument(where + "node " + std::to_string(node) + " is out of range, 0 to " +

@@ -81,11 +81,11 @@ class RadiossParser {
     if (block_ == Block::start && word != "BEGIN")
       deck_.fail(place(1), shown(line) + ": a Radioss starter deck begins with /BEGIN");
     if (word == "TRANSFORM" || word == "SUBMODEL" || word.empty())
-      deck_.fail(place(1), shown(line) + " is not read here: it would move nodes or numbers");
+      deck_.fail(place(1), shown(line) + " is not supported: it would change nodes or numbers");
     if (word == "NODE" && line.substr(slash).find_first_not_of("/ \t") != std::string_view::npos)
-      deck_.fail(place(1), shown(line) + ": nodes in units of their own are not read here");
+      deck_.fail(place(1), shown(line) + ": nodes in units of their own are not supported");
     if (word == "XREF" && std::ranges::count(line, '/') > 2)
-      deck_.fail(place(1), shown(line) + ": nodes in units of their own are not read here");
+      deck_.fail(place(1), shown(line) + ": nodes in units of their own are not supported");
     const bool is_reference = reference_.begins(line, [&] { return part_number(line, slash + 1); });
     const bool is_element = std::ranges::find(kOtherElements, word) != std::end(kOtherElements);
     block_ = word == "NODE"    ? Block::node

@@ -41,7 +41,7 @@ void RadiossReference::read(std::string_view line, int file, std::size_t number)
     const bool is_node =
         line.find(',') != line.npos || !holds_nothing(line.substr(std::min(nitrs_end, line.size())));
     if (--heads_ == 0 && block_ == Block::nodes && is_node)
-      deck_.fail({file, number, 1}, "the card of Nitrs is due before the nodes of /XREF");
+      deck_.fail({file, number, 1}, "the card of Nitrs is missing before the nodes of /XREF");
     return;
   }
   if (holds_nothing(line)) return;

@@ -32,7 +32,7 @@ class StlParser {
       const MeshWord word = words_.word("facet or endsolid");
       const std::string key = upper_case(word.text);
       if (key == "ENDSOLID") break;
-      if (key != "FACET") words_.fail(word, shown(word.text) + " stands where facet or endsolid is needed");
+      if (key != "FACET") words_.fail(word, shown(word.text) + " is found instead of facet or endsolid");
       facet(word);
     }
     words_.rest_of_line();

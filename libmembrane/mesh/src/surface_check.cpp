@@ -170,8 +170,8 @@ std::string SurfaceReport::describe(const std::vector<int>& lines) const {
       "non-manifold edges (more than two elements: a duplicate, an inner wall between chambers, or two "
       "sheets whose corner elements have the same diagonal)",
       non_manifold_edges, names, text);
-  describe_edges("inconsistently oriented edges (two elements run them the same way)", inconsistent_edges,
-                 names, text);
+  describe_edges("inconsistently oriented edges (two elements pass them in the same direction)",
+                 inconsistent_edges, names, text);
   describe_list("pinched (non-manifold) nodes, where separate fans of elements meet", pinched_nodes, node,
                 text);
   describe_list("nodes that no element uses", unused_nodes, node, text);
@@ -182,7 +182,7 @@ std::string SurfaceReport::describe(const std::vector<int>& lines) const {
                   firsts, element, text);
   }
   if (flat)
-    text += "no volume: the sheets lie on each other, and need an initial shape that is open\n";
+    text += "no volume: the sheets lie on each other; give an open initial shape\n";
   else if (inward)
     text += "inward orientation: the enclosed volume is " + shown(volume) + " m3, not positive\n";
   return text;

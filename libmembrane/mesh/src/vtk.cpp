@@ -38,13 +38,13 @@ class VtkParser {
     words_.rest_of_line();  // the title
     const MeshWord format = words_.word("ASCII");
     if (upper_case(format.text) != "ASCII")
-      words_.fail(format, shown(format.text) + " is not read here; write the file as ASCII");
+      words_.fail(format, shown(format.text) + " is not supported; write the file as ASCII");
     const MeshWord dataset = words_.word("DATASET");
     const MeshWord kind = words_.word("POLYDATA or UNSTRUCTURED_GRID");
     const std::string type = upper_case(kind.text);
     if (upper_case(dataset.text) != "DATASET" || (type != "POLYDATA" && type != "UNSTRUCTURED_GRID"))
       words_.fail(kind,
-                  shown(kind.text) + " is not read here; allowed: DATASET POLYDATA or UNSTRUCTURED_GRID");
+                  shown(kind.text) + " is not supported; allowed: DATASET POLYDATA or UNSTRUCTURED_GRID");
   }
 
   void section() {
@@ -55,11 +55,11 @@ class VtkParser {
     if (key == "CELL_TYPES") return types(word);
     if (key == "VERTICES" || key == "LINES") return skip_cells();
     if (!attributes_.read(key, word, polygons_.size() + skipped_, points_.size()))
-      words_.fail(word, shown(word.text) + " is not a section read here");
+      words_.fail(word, shown(word.text) + " is not a supported section");
   }
 
   void points(const MeshWord& at) {
-    if (!points_.empty()) words_.fail(at, "the points are there already");
+    if (!points_.empty()) words_.fail(at, "the points are repeated");
     const std::size_t count = words_.count("the number of points");
     words_.word("the type of the points");
     for (std::size_t i = 0; i < count; ++i) {
@@ -71,8 +71,8 @@ class VtkParser {
   long long node() { return words_.integer("a node", 0, static_cast<long long>(points_.size()) - 1); }
 
   void cells(const MeshWord& at, const std::string& key) {
-    if (points_.empty()) words_.fail(at, shown(at.text) + " stands before the points");
-    if (!polygons_.empty()) words_.fail(at, "the cells are there already");
+    if (points_.empty()) words_.fail(at, shown(at.text) + " comes before the points");
+    if (!polygons_.empty()) words_.fail(at, "the cells are repeated");
     are_typed_ = key == "CELLS";
     const std::size_t count = words_.count("the number of cells"),
                       size = words_.count("the size of the list");
@@ -102,7 +102,7 @@ class VtkParser {
           words_.integer("an offset", begin.empty() ? 0 : begin.back(), static_cast<long long>(size)));
     const MeshWord at = words_.word("CONNECTIVITY");
     if (upper_case(at.text) != "CONNECTIVITY")
-      words_.fail(at, shown(at.text) + " stands where CONNECTIVITY is needed");
+      words_.fail(at, shown(at.text) + " is found instead of CONNECTIVITY");
     words_.word("the type of the connectivity");
     if (count == 0 || begin.front() != 0 || begin.back() != static_cast<long long>(size))
       words_.fail(at, "the offsets do not go from 0 to the number of nodes, " + std::to_string(size));
@@ -140,9 +140,9 @@ class VtkParser {
     if (!is_known)
       words_.fail(
           at, "cell type " + std::to_string(cell.type) +
-                  " is not read here; allowed: 5 triangle, 7 polygon, 8 pixel, 9 quad (1 to 4 are skipped)");
+                  " is not supported; allowed: 5 triangle, 7 polygon, 8 pixel, 9 quad (1 to 4 are skipped)");
     if (corners != 3 && corners != 4)
-      words_.fail(at, "a cell of " + std::to_string(corners) + " corners; 3 or 4 are allowed");
+      words_.fail(at, "a cell of " + std::to_string(corners) + " corners, allowed: 3 or 4");
     if ((cell.type == 5 && corners != 3) || (cell.type >= 8 && corners != 4))
       words_.fail(at,
                   "cell type " + std::to_string(cell.type) + " with " + std::to_string(corners) + " corners");
@@ -182,7 +182,7 @@ class VtkParser {
     if (are_typed_ && !has_types_) words_.fail(end, "the file ends here: CELL_TYPES is missing");
     for (const CellNumbers& numbers : attributes_.cell_numbers())
       if (numbers.values.size() != polygons_.size() + skipped_)
-        words_.fail(end, "array " + numbers.name + " stands before all cells of the file");
+        words_.fail(end, "array " + numbers.name + " comes before the end of the cells");
     std::vector<std::string> identifiers;
     const CellNumbers* numbers = panels(identifiers);
     MeshBuilder mesh;

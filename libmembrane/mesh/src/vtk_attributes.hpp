@@ -80,7 +80,7 @@ class VtkAttributes {
   }
 
   void scalars(const MeshWord& at) {
-    if (of_ == Of::none) words_.fail(at, "SCALARS stands before CELL_DATA and POINT_DATA");
+    if (of_ == Of::none) words_.fail(at, "SCALARS comes before CELL_DATA and POINT_DATA");
     const std::string name = panel_name(words_.word("a name").text);
     const std::string type = upper_case(words_.word("a type").text);
     const std::string_view rest = words_.rest_of_line();

@@ -37,7 +37,7 @@ double distance_to_limit(const Tank& tank, const std::string& csv, const Compute
   const Outcome own = plain_route(tank, csv, options);
   if (!own.failure.empty() || own.samples.empty()) return HUGE_VAL;
   const Sample& last = own.samples.back();
-  if (says(computed, "the curve of the volume ends"))
+  if (says(computed, "the end of the volume's curve"))
     return std::max(0.0, tank.volume_of_overpressure.x.back() - last.overpressure) / last.pressure;
   const auto [low, high] = range_of(tank, csv);
   return std::max(0.0, std::min(last.temperature - low, high - last.temperature)) / last.temperature;
@@ -53,7 +53,7 @@ void judge_refusal(const Tank& tank, const std::string& csv, const Computed& com
   constexpr int kOften = 100;  // sensors that switch so often in a call are refused
   bool right = false;
   if (says(computed, "keeps switching")) right = own.switchings >= kOften;
-  if (says(computed, "temperature range") || says(computed, "the curve of the volume ends")) {
+  if (says(computed, "temperature range") || says(computed, "the end of the volume's curve")) {
     const double distance = distance_to_limit(tank, csv, computed);
     right = distance <= kAllowedTolerances * tank.tolerance;
     result.why +=

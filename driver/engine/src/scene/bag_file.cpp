@@ -17,10 +17,9 @@ mesh::Mesh read_mesh_file(const TableReader& table, const char* key, const MeshR
     for (const auto& included : mesh.included)
       table.beside_case(std::filesystem::absolute(included).string());
     if (!mesh.other_elements.empty())
-      table.fail(key,
-                 fmt::format("{} has elements that are no shells: {}; `gasjet mesh convert {} --panel NAME "
-                             "--out BAG.k` takes the bag alone",
-                             file.string(), fmt::join(mesh.other_elements, ", "), file.string()));
+      table.fail(key, fmt::format("{} has elements other than shells: {}; extract the bag by `gasjet mesh "
+                                  "convert {} --panel NAME --out BAG.k`",
+                                  file.string(), fmt::join(mesh.other_elements, ", "), file.string()));
     mesh::scale(mesh, unit);
     return mesh;
   } catch (const mesh::MeshFileError& error) {
@@ -32,8 +31,8 @@ mesh::Mesh read_mesh_file(const TableReader& table, const char* key, const MeshR
 void warn_of_neglected(const mesh::Mesh& mesh, const std::filesystem::path& file, Scene& scene) {
   if (!mesh.neglected.empty())
     scene.warnings.push_back(
-        fmt::format("membrane.mesh: {} has what changes the bag and is not read: {}; thickness and warp "
-                    "belong in [fabric] or [[panel]] of the case, shapes in the nodes",
+        fmt::format("membrane.mesh: {} has keywords that change the bag but are not read: {}; give thickness "
+                    "and warp in [fabric] or [[panel]] of the case, shapes by nodes",
                     file.string(), fmt::join(mesh.neglected, ", ")));
 }
 
@@ -54,10 +53,10 @@ void require_not_mirrored(const BagMesh& source, const std::filesystem::path& st
   if (!source.initial || !report.inward || report.flat) return;
   const double cut = mesh::enclosed_volume(source.mesh.nodes, source.mesh.elements);
   if (cut > 0.0)
-    throw CaseError(fmt::format(
-        "{}: mesh: the shape at the start encloses {:.3g} m3, the design shape {:.3g} m3 by the same "
-        "elements: is the start mirrored, or are its nodes in another order?",
-        start.string(), mesh::enclosed_volume(*source.initial, source.mesh.elements), cut));
+    throw CaseError(
+        fmt::format("{}: mesh: the initial shape encloses {:.3g} m3, the design shape {:.3g} m3 with the "
+                    "same elements: is it mirrored, or are its nodes in another order?",
+                    start.string(), mesh::enclosed_volume(*source.initial, source.mesh.elements), cut));
 }
 
 void require_sound(const BagMesh& source, const std::filesystem::path& file,

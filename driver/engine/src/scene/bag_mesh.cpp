@@ -107,7 +107,7 @@ std::string without_area(const Eigen::Matrix3d& corners, const Eigen::Vector3i& 
   const Eigen::Vector3d ab = corners.col(1) - corners.col(0), ac = corners.col(2) - corners.col(0);
   const double longest = std::max(ab.stableNorm(), ac.stableNorm());
   if (!std::isfinite(longest) || membrane::has_area(ab / longest, ac / longest))
-    return fmt::format("has no area that a number holds, its sides are {:.3g} m long", longest);
+    return fmt::format("has an area out of the range of numbers, with sides of {:.3g} m", longest);
   return fmt::format(
       "has no area: its nodes {}, {} and {} at {}, {} and {} m lie on one line; move one of them, or join "
       "those that nearly meet by gasjet mesh convert --merge DISTANCE",
@@ -133,7 +133,7 @@ void check_refinement(int elements, int times) {
   const double fine = elements * std::ldexp(1.0, 2 * times);
   if (fine > mesh::kMostElements)
     throw std::invalid_argument(
-        fmt::format("refine = {} makes up to {:.0f} elements of {}, at most {} are allowed", times, fine,
+        fmt::format("refine = {} makes up to {:.0f} elements of {}, allowed: at most {}", times, fine,
                     elements, mesh::kMostElements));
 }
 
@@ -212,10 +212,10 @@ void set_initial(BagMesh& bag, const Eigen::Matrix3Xd& nodes) {
                initial = mesh::element_areas(nodes, bag.mesh.elements).sum();
   if (!std::isfinite(initial)) throw std::invalid_argument("the initial shape has no finite area");
   if (!(initial * most >= design && initial <= design * most))
-    throw std::invalid_argument(fmt::format(
-        "the initial shape has {:.3g} m2 of skin, the design shape {:.3g} m2: length_unit is that "
-        "of both files; gasjet mesh state writes metres",
-        initial, design));
+    throw std::invalid_argument(
+        fmt::format("the initial shape has {:.3g} m2 of skin, the design shape {:.3g} m2: length_unit is for "
+                    "both files; gasjet mesh state writes metres",
+                    initial, design));
   bag.initial = nodes;
 }
 

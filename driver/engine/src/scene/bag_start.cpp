@@ -100,18 +100,16 @@ void require_before_plates(const TableReader& table, const BagPart& bag) {
   const Eigen::Vector3d middle = bag.initial_position.rowwise().mean();
   for (const membrane::Plate& plate : bag.model.description.plates) {
     if (plate.normal.dot(middle - plate.point) < 0.0)
-      table.fail("plate", "has the bag behind it; a normal that points to the bag's side is allowed");
+      table.fail("plate", "has the bag behind it, allowed: a normal that points to the bag's side");
     Eigen::Index deepest = 0;
     for (Eigen::Index node = 0; node < bag.initial_position.cols(); ++node)
       if (depth_in_plate(plate, bag, node) > depth_in_plate(plate, bag, deepest)) deepest = node;
     const double reach = depth_in_plate(plate, bag, deepest);
     if (!(reach > file_rounding * longest_extent(bag.initial_position))) continue;
     const Eigen::Vector3d x = bag.initial_position.col(deepest);
-    table.fail("plate",
-               fmt::format("reaches {:.3g} m into the bag at the start, at the node [{:.3g}, {:.3g}, "
-                           "{:.3g}] m; clear of the bag is allowed: move its point by {:.3g} m "
-                           "against its normal",
-                           reach, x.x(), x.y(), x.z(), reach));
+    table.fail("plate", fmt::format("reaches {:.3g} m into the bag at the start, at the node [{:.3g}, "
+                                    "{:.3g}, {:.3g}] m: move its point by {:.3g} m against its normal",
+                                    reach, x.x(), x.y(), x.z(), reach));
   }
 }
 
@@ -122,9 +120,8 @@ void warn_of_strained_start(Scene& scene) {
   const double total = std::accumulate(energies.begin(), energies.end(), 0.0), drive = driving_energy(scene);
   if (!(total > share * drive) || !(drive > 0.0)) return;
   scene.warnings.push_back(
-      fmt::format("membrane.mesh: the fabric is strained at the start by {:.3g} J, {:.2g} % of the scene's "
-                  "{:.3g} J: {}{}; a "
-                  "start that is only folded has less, one of a run under pressure more",
+      fmt::format("membrane.mesh: the fabric is strained at the start, with {:.3g} J or {:.2g} % of the "
+                  "scene's {:.3g} J: {}{}; a folded start has less, a start from a run under pressure more",
                   total, 100.0 * total / drive, drive, elements_text(bag, energies, total),
                   node_text(bag, energies, total)));
 }

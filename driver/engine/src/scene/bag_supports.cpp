@@ -30,7 +30,7 @@ std::vector<int> nodes_in_box(TableReader& table, const mesh::Mesh& mesh) {
     if ((mesh.nodes.col(node).array() >= low.array()).all() &&
         (mesh.nodes.col(node).array() <= high.array()).all())
       nodes.push_back(node);
-  if (nodes.empty()) table.fail("low", "and `high` are the corners of a box that holds no node of the mesh");
+  if (nodes.empty()) table.fail("low", "and `high` are the corners of a box without a node of the mesh");
   return nodes;
 }
 
@@ -38,16 +38,16 @@ void read_rollers(TableReader& table, const mesh::Mesh& mesh, membrane::BagDescr
   for (auto& reader : table.tables("roller")) {
     const bool in_box = reader.has("low") || reader.has("high");
     if (in_box == reader.has("panels"))
-      reader.fail("panels", "or a box, `low` and `high`: one of the two says which nodes slide");
+      reader.fail("panels", "or a box, `low` and `high`: one of the two must select the sliding nodes");
     const auto nodes = in_box ? nodes_in_box(reader, mesh) : nodes_of_panels(reader, "panels", mesh);
-    if (nodes.empty()) reader.fail("panels", "is empty, names of panels are needed");
+    if (nodes.empty()) reader.fail("panels", "is empty, needed: names of panels");
     const auto directions = reader.at("directions").texts("needed");
     if (directions.empty())
-      reader.fail("directions", "is missing or empty, some of \"x\", \"y\" and \"z\" are needed");
+      reader.fail("directions", "is missing or empty, needed: some of \"x\", \"y\" and \"z\"");
     for (const std::string& direction : directions) {
       const auto axis = std::string_view("xyz").find(direction);
       if (direction.size() != 1 || axis == std::string_view::npos)
-        reader.fail("directions", fmt::format("names \"{}\", \"x\", \"y\" and \"z\" are allowed", direction));
+        reader.fail("directions", fmt::format("names \"{}\", allowed: \"x\", \"y\" and \"z\"", direction));
       auto& held = bag.held_nodes[axis];
       held.insert(held.end(), nodes.begin(), nodes.end());
     }
@@ -89,10 +89,9 @@ void require_one_panel(TableReader& reader, const std::string& key, const mesh::
   panels.insert(panels.end(), others.begin(), others.end());
   std::sort(panels.begin(), panels.end());
   panels.erase(std::unique(panels.begin(), panels.end()), panels.end());
-  reader.fail(key,
-              fmt::format("is nearest to nodes at one place of the panels \"{}\": `{}_panel` says which, "
-                          "one of these is allowed",
-                          fmt::join(panels, "\", \""), key));
+  reader.fail(
+      key, fmt::format("is nearest to nodes at one place of the panels \"{}\": set `{}_panel` to one of them",
+                       fmt::join(panels, "\", \""), key));
 }
 
 // The node nearest to a point of the design shape, of all panels or of one; a point further off than the mesh
@@ -104,8 +103,9 @@ int anchor(TableReader& reader, const std::string& key, const std::optional<std:
       panel ? nearest_of_panel(reader, key + "_panel", *panel, mesh, point) : mesh::nearest_node(mesh, point);
   const double distance = (mesh.nodes.col(node) - point).norm(), longest = longest_side(mesh);
   if (distance > longest)
-    reader.fail(key, fmt::format("is {} m from the nearest node, {} m (the longest element side) is allowed",
-                                 distance, longest));
+    reader.fail(key,
+                fmt::format("is {:.3g} m from the nearest node, allowed: {:.3g} m, the longest element side",
+                            distance, longest));
   constexpr double rounding = 1e-9;  // of a side: what decimals of a mesh file leave
   if (!panel) require_one_panel(reader, key, mesh, node, rounding * longest);
   return node;

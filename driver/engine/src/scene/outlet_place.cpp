@@ -97,10 +97,10 @@ void require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
                          *way, centre.x(), centre.y(), centre.z());
   }
   throw std::invalid_argument(fmt::format(
-      "the outlet's point [{:.3g}, {:.3g}, {:.3g}] m is outside the bag{}; an outlet inside it, or flat on "
-      "its skin with the axis inwards, is allowed{}",
+      "the outlet's point [{:.3g}, {:.3g}, {:.3g}] m is outside the bag{}; allowed: an outlet inside it, or "
+      "flat on its skin with the axis inwards{}",
       point->x(), point->y(), point->z(),
-      *point == model.centre ? "" : " (the centre is inside: the rim pokes out of the skin)", advice));
+      *point == model.centre ? "" : " (the centre is inside, but the rim is outside the skin)", advice));
 }
 
 }  // namespace driver

@@ -35,18 +35,18 @@ void warn_of_path(const coupling::PendulumParameters& p, const BagPart& bag, Sce
   const double apart = elementary::hypot(along, across - p.impactor_distance);
   if (apart > reach.radius + p.impactor_radius)
     scene.warnings.push_back(
-        fmt::format("pendulum.pivot = [{:g}, {:g}, {:g}] m and impactor_distance = {:g} m let the impactor "
-                    "pass the bag's middle at {:.3g} m at the nearest: it cannot touch the bag there",
+        fmt::format("pendulum.pivot = [{:g}, {:g}, {:g}] m and impactor_distance = {:g} m keep the impactor "
+                    "at least {:.3g} m from the bag's middle: it cannot touch the bag",
                     p.pivot.x(), p.pivot.y(), p.pivot.z(), p.impactor_distance, apart));
 }
 
 void warn_of_upside_down(const coupling::PendulumParameters& p, Scene& scene) {
   constexpr double clearly = -0.5;
   if (scene.gravity.dot(p.rest_direction.normalized()) < clearly * scene.gravity.norm())
-    scene.warnings.push_back(fmt::format(
-        "scene.gravity = [{:g}, {:g}, {:g}] m/s2 points from the impactor to the pivot: the pendulum stands "
-        "on its head; is the sign right, and that of pendulum.rest_direction?",
-        scene.gravity.x(), scene.gravity.y(), scene.gravity.z()));
+    scene.warnings.push_back(
+        fmt::format("scene.gravity = [{:g}, {:g}, {:g}] m/s2 points from the impactor to the pivot, so the "
+                    "pendulum is upside down: check its sign and that of pendulum.rest_direction",
+                    scene.gravity.x(), scene.gravity.y(), scene.gravity.z()));
 }
 
 void warn_of_far_plates(const BagPart& bag, Scene& scene) {
@@ -55,8 +55,8 @@ void warn_of_far_plates(const BagPart& bag, Scene& scene) {
         (plate.normal.normalized().transpose() * (bag.initial_position.colwise() - plate.point)).minCoeff();
     if (gap > largest_bag)
       scene.warnings.push_back(
-          fmt::format("membrane.plate is {:.4g} m from the bag: is that its unit? up to {:g} m are usual",
-                      gap, largest_bag));
+          fmt::format("membrane.plate is {:.4g} m from the bag, usual are up to {:g} m: check its unit", gap,
+                      largest_bag));
   }
 }
 
@@ -65,7 +65,7 @@ void warn_of_far_target(const TargetPart& target, Scene& scene) {
     const double gap = (target.nodes.colwise() - part.field.model().centre).colwise().norm().minCoeff();
     if (gap > largest_bag)
       scene.warnings.push_back(fmt::format(
-          "target is {:.4g} m from the outlet of inflator.{}.jet: is that its unit? up to {:g} m are usual",
+          "target is {:.4g} m from the outlet of inflator.{}.jet, usual are up to {:g} m: check its unit",
           gap, part.inflator, largest_bag));
   }
 }
@@ -93,10 +93,10 @@ void warn_of_closed_holes(const BagPart& bag, Scene& scene) {
     const std::vector<int> elements = mesh::panel_elements(bag.mesh, bag.mesh.panel_names[i]);
     const bool is_null = !elements.empty() && std::ranges::binary_search(bag.null_elements, elements.front());
     if (is_null && hangs_free(bag, elements))
-      scene.warnings.push_back(fmt::format(
-          "membrane.null_panels: nothing flows through the hole \"{}\" of {:.3g} m2, and the case has no "
-          "[[vent]]: a hole that lets gas out needs one with its area",
-          bag.mesh.panel_names[i], areas(static_cast<Eigen::Index>(i))));
+      scene.warnings.push_back(
+          fmt::format("membrane.null_panels: nothing flows through the hole \"{}\" of {:.3g} m2, and the "
+                      "case has no [[vent]]: to let gas out, add one with this area",
+                      bag.mesh.panel_names[i], areas(static_cast<Eigen::Index>(i))));
   }
 }
 
@@ -105,10 +105,10 @@ void warn_of_few_rows(Scene& scene) {
   constexpr double fewest = 4.0;
   const double every = scene.output.history_every, end = scene.time.end;
   if (every * fewest > end && every != end)
-    scene.warnings.push_back(fmt::format(
-        "output.history_every is {:.4g} s, the scene ends at {:.4g} s: is that its unit? the history has {} "
-        "rows",
-        every, end, 2 + static_cast<int>(std::ceil(end / every)) - 1));
+    scene.warnings.push_back(
+        fmt::format("output.history_every is {:.4g} s, the scene ends at {:.4g} s, so the history has {} "
+                    "rows: check its unit",
+                    every, end, 2 + static_cast<int>(std::ceil(end / every)) - 1));
 }
 
 }  // namespace

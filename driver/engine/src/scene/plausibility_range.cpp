@@ -20,11 +20,10 @@ void warn_of_expansion(Scene& scene) {
   const bool open = !part.model.vents.empty() || part.tank_leak_area > 0.0;
   if (!open || !(lowest > 0.0) || !(p_a > 0.0) || !(part.initial_pressure > p_a)) return;
   if (thermo.entropy(y, lowest, p_a) > thermo.entropy(y, part.initial_temperature, part.initial_pressure))
-    scene.warnings.push_back(
-        fmt::format("gas that expands from {:.4g} Pa and {:.4g} K to ambient pressure falls below {:.4g} K, "
-                    "where its data end: if nothing warms it the run stops there (thermodynamics = "
-                    "\"constant\" has no such end)",
-                    part.initial_pressure, part.initial_temperature, lowest));
+    scene.warnings.push_back(fmt::format(
+        "gas that expands from {:.4g} Pa and {:.4g} K to ambient pressure falls below {:.4g} K, the end of "
+        "its data: unless it is warmed the run stops there (thermodynamics = \"constant\" has no such limit)",
+        part.initial_pressure, part.initial_temperature, lowest));
 }
 
 double smallest_volume(const TankVolume& volume, double end) {
@@ -43,7 +42,7 @@ void warn_of_heat(Scene& scene) {
   const double highest = thermo.maximum_temperature(), t = part.initial_temperature;
   if (!std::isfinite(highest)) return;
   constexpr const char* ending =
-      "rises above {:.4g} K, where its data end: if nothing cools it the run stops there";
+      "rises above {:.4g} K, the end of its data: unless it is cooled the run stops there";
   const auto& y = part.initial_fractions;
   if (part.tank_volume && part.initial_pressure > 0.0) {
     const double squeeze = part.tank_volume->at(0.0) / smallest_volume(*part.tank_volume, scene.time.end);

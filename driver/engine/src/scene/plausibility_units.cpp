@@ -17,8 +17,8 @@ class UnitWarnings {
   /// Of a value beyond what scenes of airbags have.
   void expect(const std::string& key, double value, const char* unit, double low, double high) {
     if (value < low || value > high)
-      scene_.warnings.push_back(fmt::format("{} is {:.4g} {}: is that its unit? {:g} to {:g} {} are usual",
-                                            key, value, unit, low, high, unit));
+      scene_.warnings.push_back(fmt::format("{} is {:.4g} {}, usual are {:g} to {:g} {}: check its unit", key,
+                                            value, unit, low, high, unit));
   }
 
  private:
@@ -45,7 +45,7 @@ void check_gas(Scene& scene, UnitWarnings& units) {
     const auto last = std::find_if(knots.rbegin(), knots.rend(), flows);
     if (last != knots.rend() && last->time > std::max(long_burn, late * scene.time.end))
       scene.warnings.push_back(
-          fmt::format("{}mass_flow goes on until {:.4g} s, the scene ends at {:.4g} s: is that its unit?",
+          fmt::format("{}mass_flow continues until {:.4g} s, but the scene ends at {:.4g} s: check its unit",
                       key, last->time, scene.time.end));
   }
   if (const auto& coefficient = gas.heat_loss_coefficient)

@@ -77,7 +77,7 @@ std::vector<int> set_null_panels(TableReader& table, const std::vector<std::stri
 // The shape at the start: the mesh's own, or the design shape pressed flat.
 Eigen::Matrix3Xd initial_shape(TableReader& table, const BagMesh& source) {
   if (source.initial && table.has("flatten"))
-    table.fail("flatten", "this mesh has an initial shape of its own; allowed for meshes without one");
+    table.fail("flatten", "the mesh has its own initial shape; allowed: a mesh without one");
   if (source.initial) return *source.initial;
   return mesh::flatten(source.mesh, table.at("flatten").number(positive_fraction, 1.0));
 }
@@ -93,9 +93,9 @@ void warn_of_leaks(const membrane::BagDescription& bag, LeakLaw law, Scene& scen
 void warn_of_size(const mesh::Mesh& mesh, bool from_file, Scene& scene) {
   if (const auto extent = unlikely_extent(mesh))
     scene.warnings.push_back(
-        fmt::format("membrane.mesh: the bag's longest extent is {:.3g} m, {:g} to {:g} m are usual: {}",
+        fmt::format("membrane.mesh: the bag's longest extent is {:.3g} m, usual are {:g} to {:g} m: {}",
                     *extent, smallest_bag, largest_bag,
-                    from_file ? "length_unit says what the file's coordinates mean, 1e-3 millimetres"
+                    from_file ? "set length_unit to the file's unit, 1e-3 for millimetres"
                               : "the lengths of a generator are in metres"));
 }
 
@@ -104,11 +104,10 @@ void warn_of_slivers(const mesh::Mesh& mesh, Scene& scene) {
   constexpr double least = 1e-3;  // of the mean
   const auto quality = mesh::element_quality(mesh.nodes, mesh.elements);
   if (quality.min_altitude < least * quality.mean_altitude)
-    scene.warnings.push_back(
-        fmt::format("membrane.mesh: an element is {:.2g} m thin, {:.2g} m are the mean: it makes steps short "
-                    "and the energy "
-                    "inexact; gasjet mesh convert --merge joins nodes that nearly meet",
-                    quality.min_altitude, quality.mean_altitude));
+    scene.warnings.push_back(fmt::format(
+        "membrane.mesh: an element has an altitude of {:.2g} m, the mean is {:.2g} m: it makes steps short "
+        "and the energy inexact; gasjet mesh convert --merge joins nodes that nearly meet",
+        quality.min_altitude, quality.mean_altitude));
 }
 
 std::vector<double> element_masses(const membrane::BagModel& model) {
@@ -122,7 +121,7 @@ std::vector<double> element_masses(const membrane::BagModel& model) {
 
 std::optional<gas::Curve> read_overpressure(TableReader& table, const Scene& scene) {
   if (scene.gas && table.has("overpressure"))
-    table.fail("overpressure", "is for sheets without gas: that of [gas] has its own pressure");
+    table.fail("overpressure", "is for sheets without gas; [gas] has its own pressure");
   std::optional<gas::Curve> curve;
   if (!scene.gas)
     table.located("overpressure", [&] {
@@ -140,7 +139,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
     return;
   }
   if (!scene.gas && !table->has("overpressure"))
-    root.fail("gas", "is missing: a bag ([membrane]) is filled by a gas, or a sheet has an overpressure");
+    root.fail("gas", "is missing: a [membrane] needs [gas] for a bag, or overpressure for a sheet");
   const auto overpressure = read_overpressure(*table, scene);
   const auto null_panels = table->at("null_panels").texts();
   BagMesh source = read_bag_mesh(table->table("mesh"), read_mesh, null_panels,
@@ -163,7 +162,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   Eigen::Matrix3Xd position = initial_shape(*table, source);
   const double amplitude = table->at("perturbation").number(Bounds{0.0, 1e-3, false, "0 to 1e-3", "m"}, 0.0);
   if (table->has("perturbation_seed") && !table->has("perturbation"))
-    table->fail("perturbation_seed", "is given without perturbation: what it seeds is needed");
+    table->fail("perturbation_seed", "needs perturbation");
   const int seed = table->at("perturbation_seed").integer(0, 1'000'000'000, 0);
   table->located("", [&] {
     membrane::BagModel model = membrane::make_model(bag);

@@ -70,7 +70,7 @@ void read_panels(TableReader& table, const mesh::Mesh& mesh, const std::vector<s
     });
     if (leaks) own.porosity = reader.at("porosity").optional_number(fraction).value_or(own.porosity);
     const auto names = reader.at("panels").texts("needed");
-    if (names.empty()) reader.fail("panels", "is missing or empty, names of panels are needed");
+    if (names.empty()) reader.fail("panels", "is missing or empty, needed: names of panels");
     reader.located("panels", [&] {
       for (const std::string& name : names) {
         if (std::find(null_panels.begin(), null_panels.end(), name) != null_panels.end())
@@ -91,15 +91,14 @@ void read_panels(TableReader& table, const mesh::Mesh& mesh, const std::vector<s
 membrane::StressCurve read_stress_curve(TableReader& table, const char* key) {
   CurveData data = table.at(key).curve(non_negative.in("Pa"), "strain");
   const auto fail = [&](const std::string& what) { table.fail(key, what); };
-  if (data.time.empty()) fail("is a number, a curve of stress over strain is allowed");
+  if (data.time.empty()) fail("is a number, allowed: a curve of stress over strain");
   if (data.time.size() > membrane::kMostCurvePoints)
-    fail(fmt::format("has {} points, at most {} are allowed", data.time.size(), membrane::kMostCurvePoints));
+    fail(fmt::format("has {} points, allowed: at most {}", data.time.size(), membrane::kMostCurvePoints));
   if (data.time.front() != 0.0 || data.value.front() != 0.0)
-    fail(
-        fmt::format("begins at ({}, {}), the point (0, 0) is needed", data.time.front(), data.value.front()));
+    fail(fmt::format("begins at ({}, {}), allowed: (0, 0)", data.time.front(), data.value.front()));
   for (std::size_t i = 1; i < data.value.size(); ++i)
     if (!(data.value[i] > data.value[i - 1]))
-      fail(fmt::format("has the stress {} Pa after {} Pa, strictly rising ones are allowed: loading alone",
+      fail(fmt::format("has the stress {} Pa after {} Pa, allowed: strictly rising stresses (loading only)",
                        data.value[i], data.value[i - 1]));
   return {std::move(data.time), std::move(data.value)};
 }

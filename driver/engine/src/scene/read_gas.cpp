@@ -110,8 +110,7 @@ std::optional<NamedComposition> read_ambient_composition(TableReader& root,
   bool named = false;
   for (const auto& vent : root.tables("vent")) named = named || vent.has("backflow");
   for (const char* key : {"composition", "composition_by"})
-    if (!named && ambient && ambient->has(key))
-      ambient->fail(key, "has no effect: no [[vent]] has backflow, which lets the ambient gas in");
+    if (!named && ambient && ambient->has(key)) ambient->fail(key, "has no effect: no [[vent]] has backflow");
   if (!named) return {};
   if (ambient && ambient->has("composition")) return read_composition(*ambient);
   return NamedComposition{{{"air", 1.0}}, By::mole};
@@ -169,7 +168,7 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
     initial_composition = read_composition(*initial);
     add_species(*initial, initial_composition, list);
   } else if (table->has("initial")) {
-    table->fail("initial", "the scene has no volume, [tank] or [membrane], that gas fills at the start");
+    table->fail("initial", "the scene has no volume of gas, [tank] or [membrane]");
   }
   std::vector<NamedComposition> compositions;
   for (auto& inflator : inflators) {
@@ -177,7 +176,7 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
     add_species(inflator, compositions.back(), list);
   }
   if (!initial && compositions.empty())
-    table->fail("", "names no gas: needs an [[inflator]], or a volume, [tank] or [membrane]");
+    table->fail("", "has no gas: add an [[inflator]], or a volume, [tank] or [membrane]");
   const auto outside = read_ambient_composition(root, ambient);
   if (outside) add_species(ambient ? *ambient : root, *outside, list);
 

@@ -39,7 +39,7 @@ double read_decay_coefficient(TableReader& table, jet::OutletShape shape) {
         .number(has_number                         ? above_zero_or_type
                 : shape == jet::OutletShape::round ? round_or_type
                                                    : plane_or_type);
-  if (has_number) table.fail("outlet_type", "stands beside decay_coefficient, one of the two is allowed");
+  if (has_number) table.fail("outlet_type", "is given with decay_coefficient: leave out one of the two");
   return jet::decay_coefficient(shape == jet::OutletShape::round
                                     ? table.at("outlet_type")
                                           .choice<Type>({{"contracting_nozzle", Type::contracting_nozzle},
@@ -112,12 +112,12 @@ jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
   if (outlet.law != jet::OutletLaw::sonic && outlet.temperature == jet::OutletTemperature::static_value)
     table.fail(
         "temperature",
-        "is \"static\", the default; with outlet = \"pressure_matched\" or \"expanded\" \"stagnation\" is "
-        "allowed: the inflator's temperature is then that of the gas at rest");
+        "is \"static\", the default; outlet = \"pressure_matched\" or \"expanded\" needs \"stagnation\": the "
+        "inflator's temperature is then that of the gas at rest");
   outlet.area = jet::outlet_area(model);
   if (!(outlet.area > 0.0 && std::isfinite(outlet.area)))
     table.fail(model.shape == jet::OutletShape::round ? "radius" : "short_side",
-               fmt::format("makes an outlet of {} m2, a finite area above 0 is allowed", outlet.area));
+               fmt::format("makes an outlet of {:.3g} m2, allowed: a finite area above 0", outlet.area));
   table.located("temperature", [&] { jet::validate(outlet); });
   return outlet;
 }
@@ -134,7 +134,7 @@ void warn_if_coarse(const jet::JetModel& model, std::size_t inflator, const Eige
   if (longest > 1.5 * width)
     warnings.push_back(fmt::format(
         "jet of inflator {}: element sides of up to {:.3g} m are too coarse for its width of {:.3g} m (1/e) "
-        "at the outlet: its force is a matter of chance; finer elements or inflator.{}.jet.subdivisions help",
+        "at the outlet, so its force is accidental: use finer elements or inflator.{}.jet.subdivisions",
         inflator, longest, width, inflator));
 }
 
@@ -144,10 +144,9 @@ void require_target_ahead(const TableReader& table, const jet::JetModel& model, 
                         b = target.nodes.col(target.triangles(1, 0)),
                         c = target.nodes.col(target.triangles(2, 0));
   if (!((b - a).cross(c - a).dot(model.axis) > 0.0))
-    table.fail("axis",
-               "does not meet the target's face: a target whose normal points away from the jet is allowed");
+    table.fail("axis", "does not meet the target's face: turn the target's normal away from the jet");
   if (!((model.axis.transpose() * (target.nodes.colwise() - model.centre)).maxCoeff() > 0.0))
-    table.fail("centre", "lies behind the whole target, which would feel nothing");
+    table.fail("centre", "lies behind the whole target: the jet would not reach it");
 }
 
 std::vector<int> attachment_elements(TableReader& table, const Scene& scene) {
@@ -166,7 +165,7 @@ std::vector<int> attachment_elements(TableReader& table, const Scene& scene) {
 void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
   auto table = inflator.optional_table("jet");
   if (!table) return;
-  if (!scene.bag && !scene.target) table->fail("", "needs something to blow at: [membrane] or [target]");
+  if (!scene.bag && !scene.target) table->fail("", "needs a [membrane] or a [target]");
   jet::JetModel model = read_model(*table);
   std::optional<gas::Curve> restitution = read_restitution(*table, scene.bag.has_value(), model);
   table->located("", [&] { model = jet::validated(model); });
@@ -198,19 +197,18 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
                                                   {"brute_force", jet::VisibilityRoute::brute_force}},
                                                  "fast");
   if (!jet::has_route(part.route))
-    table->fail(
-        "visibility",
-        "\"cgal_tree\" is not part of this program (the command gasjet has it), allowed are \"fast\" and "
-        "\"brute_force\"");
+    table->fail("visibility",
+                "\"cgal_tree\" is not part of this program (the command gasjet has it), allowed: \"fast\" "
+                "and \"brute_force\"");
   const auto work =
       table->at("jet_work")
           .choice<JetWork>({{"external", JetWork::external}, {"from_gas", JetWork::from_gas}}, "external");
   if (work == JetWork::from_gas && part.outlet.temperature != jet::OutletTemperature::stagnation)
     table->fail("jet_work",
-                "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the jet's "
-                "kinetic energy is no part of the inflator's enthalpy");
+                "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the inflator's "
+                "enthalpy does not include the jet's kinetic energy");
   if (scene.jets.size() > 1 && work != scene.jet_work)
-    table->fail("jet_work", fmt::format("is not that of inflator.{}.jet, all jets need the same",
+    table->fail("jet_work", fmt::format("differs from that of inflator.{}.jet: all jets need the same",
                                         scene.jets.front().inflator));
   scene.jet_work = work;
   warn_if_coarse(model, index, nodes, elements, subdivisions, scene.warnings);

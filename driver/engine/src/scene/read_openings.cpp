@@ -77,11 +77,10 @@ TankVolume read_wave(TableReader&& wave, double end_time) {
   volume.phase = wave.at("phase").number(any_number.in("rad"), 0.0);
   constexpr double most_periods = 1e4;  // each is 512 pieces of the gas's equations
   if (volume.frequency * end_time > most_periods)
-    wave.fail("frequency", fmt::format("is {}, at most {:g} is allowed: {:g} periods in end_time",
+    wave.fail("frequency", fmt::format("is {}, allowed: at most {:g} ({:g} periods in end_time)",
                                        volume.frequency, most_periods / end_time, most_periods));
   if (!(volume.amplitude < volume.mean))
-    wave.fail("amplitude",
-              fmt::format("is {}, less than mean, {}, is allowed", volume.amplitude, volume.mean));
+    wave.fail("amplitude", fmt::format("is {}, allowed: less than mean, {}", volume.amplitude, volume.mean));
   wave.finish();
   return volume;
 }
@@ -95,7 +94,7 @@ void read_volume_of_time(TableReader& tank, double end_time, GasPart& part) {
       volume.table = to_gas_curve(tank.at("volume").curve(gas_volume), gas::Outside::held);
       if (const auto jump = volume.table->first_jump())
         throw std::invalid_argument(fmt::format(
-            "jumps at {} s: its work would have no bound; one value at each time is allowed", *jump));
+            "jumps at {} s, allowed: one value at each time, as the work of a jump is unbounded", *jump));
     });
   part.rigid_volume = volume.at(0.0);
   part.tank_volume = volume;
@@ -109,7 +108,7 @@ void read_volume_of_overpressure(TableReader& tank, GasPart& part) {
     gas::validate(part.model);
     if (overpressure > curve.knots().back().time)
       throw std::invalid_argument(fmt::format(
-          "ends at an overpressure of {} Pa, that of the gas at the start, {} Pa, or more is allowed",
+          "ends at an overpressure of {} Pa, allowed: that of the gas at the start, {} Pa, or more",
           curve.knots().back().time, overpressure));
     part.rigid_volume = curve.value(overpressure);
   });
@@ -128,9 +127,8 @@ gas::Curve read_leak_velocity(TableReader& table) {
       to_gas_curve(table.at("velocity").curve(non_negative.in("m/s"), "overpressure"), gas::Outside::held);
   // The flow would jump where the overpressure changes its sign.
   if (const double leak_at_rest = velocity.value(0.0); leak_at_rest > 0.0)
-    table.fail("velocity", fmt::format("is {} m/s without overpressure, 0 is allowed there: begin with the "
-                                       "knot (0, 0)",
-                                       leak_at_rest));
+    table.fail("velocity",
+               fmt::format("is {} m/s without overpressure: begin with the knot (0, 0)", leak_at_rest));
   return velocity;
 }
 
@@ -153,8 +151,8 @@ void read_tank(TableReader& root, Scene& scene) {
     read_volume_of_time(*tank, scene.time.end, part);
   else
     tank->fail("volume",
-               "has neither time, nor overpressure, nor mean: a number, a curve {time, value}, a curve "
-               "{overpressure, value} or a wave {mean, ...} is allowed");
+               "has neither time, nor overpressure, nor mean; allowed: a number, a curve {time, value}, a "
+               "curve {overpressure, value} or a wave {mean, ...}");
   read_tank_fabrics(*tank, scene);
   tank->finish();
 }

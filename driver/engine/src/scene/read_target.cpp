@@ -10,7 +10,7 @@ namespace driver {
 namespace {
 
 Eigen::Vector3d direction(const TableReader& table, const char* key, const Eigen::Vector3d& vector) {
-  if (!(vector.norm() > 0.0)) table.fail(key, "has length 0, a direction of any other length is allowed");
+  if (!(vector.norm() > 0.0)) table.fail(key, "has length 0, allowed: a direction of any other length");
   return vector.normalized();
 }
 

@@ -25,7 +25,7 @@ gas::Sensor read_pressure(TableReader& table) {
   const double threshold = table.at("overpressure").number(any_number.in("Pa"));
   const auto reset = table.at("reset").optional_number(any_number.in("Pa"));
   if (reset && !(*reset < threshold))
-    table.fail("reset", fmt::format("is {}, less than overpressure, {}, is allowed", *reset, threshold));
+    table.fail("reset", fmt::format("is {}, allowed: less than overpressure, {}", *reset, threshold));
   return {gas::SensorKind::pressure, threshold, reset, {}};
 }
 
@@ -37,7 +37,7 @@ void require_one(const TableReader& table, const std::vector<std::string>& kinds
   std::set<std::string> allowed = others;
   allowed.insert(kinds.begin(), kinds.end());
   table.allow_only(allowed);
-  table.fail("", fmt::format("names {} of {}, one is needed", given, fmt::join(kinds, ", ")));
+  table.fail("", fmt::format("has {} of {}, exactly one is needed", given, fmt::join(kinds, ", ")));
 }
 
 gas::Sensor read_sensor(TableReader& table) {
@@ -46,7 +46,7 @@ gas::Sensor read_sensor(TableReader& table) {
   if (table.has("overpressure")) return read_pressure(table);
   if (table.has("time"))
     return {gas::SensorKind::time, table.at("time").number(non_negative.in("s")), {}, {}};
-  if (!table.at("contact").flag(true)) table.fail("contact", "is false, true is allowed");
+  if (!table.at("contact").flag(true)) table.fail("contact", "is false, allowed: true");
   return {gas::SensorKind::input, 0.0, {}, {}};
 }
 
@@ -56,7 +56,7 @@ gas::Gate read_gate(TableReader& table, const TriggerNames& names) {
   const auto add = [&](const std::string& key, gas::Logic logic, const std::vector<std::string>& inputs) {
     gate.logic = logic;
     for (const auto& name : inputs) gate.inputs.push_back(names.node(table, key, name));
-    if (inputs.empty()) table.fail(key, "is empty, names of sensors and triggers are needed");
+    if (inputs.empty()) table.fail(key, "is empty, needed: names of sensors and triggers");
   };
   if (table.has("not"))
     add("not", gas::Logic::negated, {table.at("not").text()});
@@ -75,16 +75,16 @@ std::size_t TriggerNames::node(const TableReader& table, const std::string& key,
                                const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (names_.empty())
-    table.fail(key, fmt::format("is \"{}\", the name of a [[sensor]] is allowed; the case has none", name));
+    table.fail(key, fmt::format("is \"{}\", allowed: the name of a [[sensor]], but the case has none", name));
   if (found == names_.end())
-    table.fail(key, fmt::format("is \"{}\", a [[sensor]] or an earlier [[trigger]] is allowed: \"{}\"", name,
+    table.fail(key, fmt::format("is \"{}\", allowed: a [[sensor]] or an earlier [[trigger]], \"{}\"", name,
                                 fmt::join(names_, "\", \"")));
   return static_cast<std::size_t>(found - names_.begin());
 }
 
 void TriggerNames::add(TableReader& table) {
   const std::string name = table.at("name").text();
-  if (name.empty()) table.fail("name", "is empty, a name is needed");
+  if (name.empty()) table.fail("name", "is empty, needed: a name");
   if (std::find(names_.begin(), names_.end(), name) != names_.end())
     table.fail("name", fmt::format("names \"{}\" a second time", name));
   names_.push_back(name);
@@ -117,7 +117,7 @@ TriggerNames read_triggers(TableReader& root, gas::TriggerModel& model) {
 void TriggerNames::warn_of_idle(Scene& scene) const {
   for (std::size_t i = 0; i < names_.size(); ++i)
     if (!used_.contains(i))
-      scene.warnings.push_back(fmt::format("sensor or trigger \"{}\" acts on nothing", names_[i]));
+      scene.warnings.push_back(fmt::format("sensor or trigger \"{}\" has no effect", names_[i]));
 }
 
 }  // namespace driver

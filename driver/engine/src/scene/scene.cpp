@@ -80,16 +80,16 @@ void read_gas_time(TableReader& table, bool has_volume, Scene& scene) {
 void read_motion_time(TableReader& table, bool moves, Scene& scene) {
   for (const char* key : {"step", "safety", "unsafe_step"})
     if (table.has(key) && !moves)
-      table.fail(key, "has no effect: nothing moves; here output.history_every is the step");
+      table.fail(key, "has no effect: nothing moves, and output.history_every is the step");
   if (!moves) return;
   scene.time.step = table.at("step").optional_number(
       Bounds{scene.time.end / 1e9, any_number.high, false, "a step of end_time / 1e9 or more", "s"});
   if (scene.time.step && table.has("safety"))
-    table.fail("safety", "has no effect beside step, which replaces it: leave one of the two out");
+    table.fail("safety", "has no effect with step, which replaces it: leave out one of the two");
   if (!scene.time.step)
     scene.time.safety = table.at("safety").number(Bounds{1e-3, 1.0, false, "1e-3 to 1"}, scene.time.safety);
   scene.time.unsafe_step = table.at("unsafe_step").flag(false);
-  if (scene.time.unsafe_step && !scene.time.step) table.fail("unsafe_step", "is allowed with `step` only");
+  if (scene.time.unsafe_step && !scene.time.step) table.fail("unsafe_step", "needs `step`");
 }
 
 void read_time(TableReader& root, Scene& scene) {
@@ -116,9 +116,9 @@ void read_streams(TableReader& table, Scene& scene) {
   const gas::Thermo& thermo = scene.gas->model.thermo;
   for (std::size_t k = 0; k < thermo.size(); ++k)
     if (const std::string& name = thermo.species(k).name; !can_name_a_column(name))
-      table.fail("streams", fmt::format("the species \"{}\" cannot name a column, letters, digits and any of "
-                                        "_+-.() are allowed in its name",
-                                        name));
+      table.fail(
+          "streams",
+          fmt::format("the species \"{}\" cannot name a column, allowed: letters, digits and _+-.()", name));
 }
 
 void read_channel_classes(TableReader& table, Scene& scene) {
@@ -167,7 +167,7 @@ void check_composition(const TableReader& root, const Scene& scene) {
   if (scene.target && scene.jets.empty())
     root.fail("target", "needs an inflator with a jet ([inflator.jet])");
   if (!scene.gas && !scene.moves() && !scene.target)
-    root.fail("", "names nothing to simulate: [gas], [membrane] or [pendulum]");
+    root.fail("", "has nothing to simulate: add [gas], [membrane] or [pendulum]");
   if (scene.gas && !scene.has_volume() && !scene.gas->model.vents.empty())
     root.fail("vent", "needs a volume, [tank] or [membrane]");
   if (scene.gas && !scene.has_volume() && scene.gas->model.triggers.size() > 0)

@@ -7,7 +7,7 @@
 namespace driver {
 
 void displace_nodes(Scene& scene, double amplitude, int seed) {
-  if (!scene.bag) throw std::invalid_argument("the scene has no membrane whose nodes could be displaced");
+  if (!scene.bag) throw std::invalid_argument("the scene has no membrane to displace");
   if (amplitude == 0.0) return;
   const auto inverse_mass = scene.bag->model.inverse_mass.map();
   Eigen::Matrix3Xd& position = scene.bag->initial_position;

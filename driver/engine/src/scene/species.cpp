@@ -12,7 +12,7 @@ namespace {
 
 double read_molar_mass(TableReader& table) {
   if (table.has("molar_mass") && table.has("gas_constant"))
-    table.fail("gas_constant", "is there besides molar_mass, one of the two is needed");
+    table.fail("gas_constant", "is given with molar_mass: leave out one of the two");
   if (table.has("gas_constant"))
     return gas::kMolarGasConstant / table.at("gas_constant").number(positive.in("J/(kg K)"));
   constexpr Bounds molar{1e-3, 1.0, false, "1e-3 to 1", "kg/mol"};
@@ -23,7 +23,7 @@ gas::Nasa7 read_coefficients(TableReader& table, const std::string& key) {
   const auto numbers = table.at(key).numbers(any_number);
   gas::Nasa7 coefficients{};
   if (numbers.size() != coefficients.size())
-    table.fail(key, fmt::format("has {} numbers, {} are needed", numbers.size(), coefficients.size()));
+    table.fail(key, fmt::format("has {} numbers, needed: {}", numbers.size(), coefficients.size()));
   std::ranges::copy(numbers, coefficients.begin());
   return coefficients;
 }
@@ -32,11 +32,11 @@ gas::Species read_nasa7(TableReader& species, const std::string& name, double mo
   TableReader table = species.table("nasa7");
   const double middle = table.at("middle").number(gas_temperature, gas::kJointTemperature);
   if (middle != gas::kJointTemperature)
-    table.fail("middle", fmt::format("is {}, {} K is allowed", middle, gas::kJointTemperature));
+    table.fail("middle", fmt::format("is {}, allowed: {} K", middle, gas::kJointTemperature));
   const auto range = table.at("range").numbers(gas_temperature);
   if (range.size() != 2)
-    table.fail("range",
-               fmt::format("has {} numbers, 2 are needed: lowest and highest temperature [K]", range.size()));
+    table.fail("range", fmt::format("has {} numbers, needed: 2, the lowest and highest temperature [K]",
+                                    range.size()));
   const gas::Nasa7 low = read_coefficients(table, "low"), high = read_coefficients(table, "high");
   table.finish();
   gas::Species gas;
@@ -48,7 +48,7 @@ gas::Species read_nasa7(TableReader& species, const std::string& name, double mo
 gas::Species read_own(TableReader& table, const std::string& name) {
   const double molar_mass = read_molar_mass(table);
   if (table.has("cp") && table.has("nasa7"))
-    table.fail("cp", "is there besides nasa7, one of the two is needed");
+    table.fail("cp", "is given with nasa7: leave out one of the two");
   if (table.has("nasa7")) return read_nasa7(table, name, molar_mass);
   gas::Species gas;
   const double cp = table.at("cp").number(positive.in("J/(kg K)"));
@@ -87,13 +87,13 @@ void SpeciesCatalogue::read(TableReader& gas) {
 }
 
 void SpeciesCatalogue::require_new(const TableReader& table, const std::string& name) const {
-  if (name.empty()) table.fail("name", "is empty, a name is needed");
+  if (name.empty()) table.fail("name", "is empty, needed: a name");
   if (std::ranges::find(own_, name, &gas::Species::name) != own_.end())
     table.fail("name", fmt::format("names \"{}\" a second time", name));
   auto built_in = gas::species_names();
   built_in.emplace_back("air");
   if (std::ranges::find(built_in, name) != built_in.end())
-    table.fail("name", fmt::format("is \"{}\", any name but those built in is allowed: {}", name,
+    table.fail("name", fmt::format("is \"{}\", allowed: any name except the built-in {}", name,
                                    fmt::join(built_in, " ")));
 }
 

@@ -53,7 +53,7 @@ std::string governing_share(const State& state) {
                                    {"contact", s.contact},
                                    {"straps", s.strap},
                                    {"plate", s.plate}});
-  return fmt::format("; on average {:.0f} % of the step's limit come from the {}",
+  return fmt::format("; on average {:.0f} % of the step's limit comes from the {}",
                      100.0 * governing.second / s.total(), governing.first);
 }
 
@@ -70,7 +70,7 @@ std::string deformed_text(const Scene& scene, const State& state) {
 std::string shorter_step(const Scene& scene, const State& state, double drift) {
   const double ratio = 0.9 * std::sqrt(kDriftWarned / drift);
   if (!scene.time.step && ratio < 0.05)
-    return "; a smaller time.safety will hardly help: look at the mesh (gasjet mesh convert --report)";
+    return "; a smaller time.safety will hardly help: check the mesh (gasjet mesh convert --report)";
   if (!scene.time.step) return fmt::format("; try time.safety = {:.2g}", ratio * scene.time.safety);
   const double deformed = membrane::kLargestDeformation / std::max(state.step.deformation, 1e-300);
   return fmt::format("; try time.step = {:.2g}, or leave it out",
@@ -132,7 +132,7 @@ std::string drift_text(const Scene& scene, const State& state) {
   const double drift = energy_drift(state);
   const LargestTerm& term = state.peaks.largest_term;
   std::string text =
-      fmt::format("the energy drifts by {} of itself (residual.energy_rel), {:g} or less is expected",
+      fmt::format("the energy drifts by {} of its value (residual.energy_rel), the limit is {:g}",
                   above_limit(drift), kDriftWarned);
   if (const double share = mechanical_drift(state); share > 0.0)
     text += fmt::format("; by {:.3g} J, {:.2g} % of the mechanical energy", state.peaks.energy_residual,

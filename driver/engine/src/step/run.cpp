@@ -89,7 +89,7 @@ std::string never_on(const Scene& scene, const State& state, std::size_t node) {
   const auto& sensors = scene.gas->model.triggers.sensors;
   if (node >= sensors.size() || sensors[node].kind != gas::SensorKind::pressure)
     return "its trigger was never on";
-  return fmt::format("its sensor comes on at {:.6g} Pa, the largest overpressure was {:.6g} Pa",
+  return fmt::format("its sensor comes on at {:.6g} Pa, but the largest overpressure was {:.6g} Pa",
                      sensors[node].threshold, state.peaks.pressure - scene.ambient.pressure);
 }
 
@@ -114,7 +114,7 @@ void note_held_velocities(const Scene& scene, const State& state, RunOutcome& ou
   for (const gas::Fabric& fabric : scene.gas->model.fabrics) {
     if (!fabric.velocity || largest <= fabric.velocity->knots().back().time) continue;
     outcome.notes.push_back(fmt::format(
-        "{}.velocity ends at {:.6g} Pa and was held beyond, the largest overpressure was {:.6g} Pa",
+        "{}.velocity ends at {:.6g} Pa and was held above; the largest overpressure was {:.6g} Pa",
         scene.bag ? "fabric" : "tank.fabric", fabric.velocity->knots().back().time, largest));
     return;
   }
@@ -129,10 +129,10 @@ void note_left_outlets(const Scene& scene, const State& state, RunOutcome& outco
     const jet::JetModel& jet = part.field.model();
     const Eigen::Vector3d inside = jet.centre + 1e-6 * size * jet.axis;
     if (coupling::winding_number(scene.bag->mesh.elements, position, inside) > 0.5) continue;
-    outcome.notes.push_back(fmt::format(
-        "inflator.{}.jet: the outlet is outside the bag at the end, where its jet meets nothing: has the bag "
-        "flown off? membrane.fixed_panels holds it",
-        part.inflator));
+    outcome.notes.push_back(
+        fmt::format("inflator.{}.jet: the outlet is outside the bag at the end, so its jet meets nothing: if "
+                    "the bag has flown off, hold it by membrane.fixed_panels",
+                    part.inflator));
   }
 }
 
@@ -156,8 +156,8 @@ void note_untouched(const Scene& scene, const State& state, RunOutcome& outcome)
         .distance;
   };
   outcome.notes.push_back(
-      fmt::format("pendulum: the impactor never touched the bag: it was {:.3g} m off at the start and "
-                  "{:.3g} m off at the end",
+      fmt::format("pendulum: the impactor never touched the bag: its distance was {:.3g} m at the start and "
+                  "{:.3g} m at the end",
                   gap(scene.bag->initial_position, scene.pendulum->initial.angle),
                   gap(state.bag->position.map(), state.level.pendulum_angle)));
 }
@@ -194,7 +194,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
   const auto fail = [&](const std::exception& error) {
     outcome.status = RunStatus::failed;
     outcome.out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    outcome.message = fmt::format("stage {} at {} s, step {}: {}", stage_name(state.stage), state.time,
+    outcome.message = fmt::format("stage {} at {:.6g} s, step {}: {}", stage_name(state.stage), state.time,
                                   state.steps, text_of(error));
   };
   try {

@@ -42,8 +42,8 @@ coupling::ContactResult evaluate(const Scene& scene, State& state, const Eigen::
                                    state.bag->contact_force.map(), turn);
   } catch (const coupling::PenetrationError& error) {
     throw coupling::PenetrationError(
-        fmt::format("{}; try {}: the sphere sinks in less, and steps get shorter near the skin", error.what(),
-                    stiffer(scene)));
+        fmt::format("{}; try {}: the sphere then sinks in less, and steps near the skin are shorter",
+                    error.what(), stiffer(scene)));
   }
 }
 

@@ -142,11 +142,11 @@ void advance_tank(const Scene& scene, double leak_area, double next, State& stat
 // A bag that is empty: no gas fits into what is left.
 void require_inside(double volume) {
   if (!(volume > 0.0 && std::isfinite(volume)))
-    throw std::domain_error(fmt::format(
-        "volume = {:.3g} m3: must be positive and finite; the skin has collapsed or turned inside out, as it "
-        "does if more gas flows out than in: look at the areas of vents, the porosity, the times of "
-        "mass_flow and end_time, and at their units",
-        volume));
+    throw std::domain_error(
+        fmt::format("volume = {:.3g} m3: must be positive and finite. The skin has collapsed or turned "
+                    "inside out, perhaps because more gas flows out than in: check areas of vents, porosity, "
+                    "times of mass_flow, end_time, and their units",
+                    volume));
 }
 
 }  // namespace

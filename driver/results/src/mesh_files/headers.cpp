@@ -24,7 +24,7 @@ class Header {
     std::memcpy(&count, bytes_.data() + 80, sizeof count);
     const std::size_t rest = bytes_.size() - header;
     if (rest != facet * std::size_t{count})
-      fail(0, "binary STL tells of " + std::to_string(count) + " facets, but holds " +
+      fail(0, "binary STL announces " + std::to_string(count) + " facets, but has " +
                   std::to_string(rest / facet) + (rest % facet == 0 ? "" : " and a part of one"));
   }
 
@@ -82,7 +82,7 @@ class Header {
     if (second == "list") {
       std::string length;
       words >> length >> type;
-      if (!small.contains(length)) fail(line_, "a list whose length is no uchar or ushort is not read here");
+      if (!small.contains(length)) fail(line_, "a list whose length is no uchar or ushort is not supported");
     }
     words >> name;
     if (!words) fail(line_, "a property has a type and a name");

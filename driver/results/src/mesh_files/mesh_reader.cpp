@@ -59,7 +59,7 @@ void require_end(const std::filesystem::path& path, const Soup& soup, const std:
   const std::size_t more = bytes.find_first_not_of(" \t\r\n", soup.stopped_at);
   if (more == std::string::npos) return;
   fail(path, soup.is_text ? 1 + line_breaks(bytes, more) : 0,
-       "the header announces " + announced + ", and the file goes on for " +
+       "the header announces " + announced + ", but the file continues for " +
            std::to_string(bytes.size() - more) + " bytes" + (soup.is_text ? " here" : "") +
            "; correct the header");
 }

@@ -26,7 +26,7 @@ class Corners {
   using const_iterator = const std::size_t*;
   void resize(std::size_t count) {
     if (count > corner_.size())
-      throw std::length_error("an element of " + std::to_string(count) + " corners; 3 or 4 are allowed");
+      throw std::length_error("an element of " + std::to_string(count) + " corners, allowed: 3 or 4");
     count_ = count;
   }
   std::size_t size() const { return count_; }
@@ -67,13 +67,13 @@ Soup read_soup(SoupFormat format, const std::string& bytes) {
   const auto before = CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   try {
     if (!read(format, stream, points, polygons))
-      soup.fault = "what stands here is no number or no vertex of the file, or the file ends";
+      soup.fault = "this is not a number or not a vertex of the file, or the file ends";
   } catch (const std::length_error& error) {
     soup.fault = error.what();
   } catch (const std::bad_alloc&) {
     soup.fault = "a count is beyond all memory";
   } catch (const CGAL::Failure_exception&) {
-    soup.fault = "what stands here is not of the format";
+    soup.fault = "this does not match the format";
   }
   CGAL::set_error_handler(before);
   stream.clear();
