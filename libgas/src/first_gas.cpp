@@ -51,9 +51,12 @@ double fill_first(System& system, const IntegratorOptions& options, Vector& y, d
       1.0, [&](const InflowSegment& in) { return in.rate(end); }, system.gas);
   if (std::accumulate(system.gas.begin(), system.gas.end() - 1, 0.0) == 0.0) return t;
   const auto temperature = balance_with_walls(boundary.model(), system.gas);
-  if (!temperature)
-    throw DomainError(range_text(boundary.model()) + "at t = " + to_text(boundary.segment().begin + t) +
-                      " s, where its first gas is in balance with the walls");
+  if (!temperature) {
+    const double at = boundary.segment().begin + t;
+    throw DomainError(range_text(boundary.model()) + "at t = " + to_short_text(at) +
+                          " s, where its first gas is in balance with the walls",
+                      at);
+  }
   set_backflow(end - t, 0.5 * (t + end));
   system.ledger.gas_at(y, end, system.gas);
   const Mixture mixture = boundary.model().thermo.mixture(std::span(system.gas).first(s.species));

@@ -55,9 +55,9 @@ double effective_area(const Vent& vent, const TriggerState& triggers, double tim
 GasPoint evaluate(const ControlVolumeModel& model, const ControlVolumeState& state, double volume,
                   double leak_area, double time) {
   if (!model.volume_of_overpressure && !(volume > 0.0))
-    throw DomainError("volume = " + to_text(volume) + " m3: must be positive");
+    throw DomainError("volume = " + to_short_text(volume) + " m3: must be positive");
   if (!(leak_area >= 0.0 && std::isfinite(leak_area)))
-    throw DomainError("leak_area = " + to_text(leak_area) + " m2: must be finite and not negative");
+    throw DomainError("leak_area = " + to_short_text(leak_area) + " m2: must be finite and not negative");
   require_triggers(model, state);
   const UniformGas gas = gas_of(model, state, volume);
   GasPoint point{};

@@ -37,14 +37,14 @@ const IntegratorOptions& validated(const IntegratorOptions& options) {
 void require_path(const VolumePath& path, bool has_volume) {
   for (const double v : {path.volume_begin, path.volume_end})
     if (has_volume && !(v > 0.0 && std::isfinite(v)))
-      throw DomainError("volume = " + to_text(v) + " m3: must be positive and finite");
+      throw DomainError("volume = " + to_short_text(v) + " m3: must be positive and finite");
   if (has_volume && !(path.volume_bulge > -std::min(path.volume_begin, path.volume_end) &&
                       std::isfinite(path.volume_bulge)))
-    throw DomainError("volume bulge = " + to_text(path.volume_bulge) +
+    throw DomainError("volume bulge = " + to_short_text(path.volume_bulge) +
                       " m3: must be finite and above minus the smaller volume of the step's ends");
   for (const double a : {path.leak_area_begin, path.leak_area_end})
     if (!(a >= 0.0 && std::isfinite(a)))
-      throw DomainError("leak area = " + to_text(a) + " m2: must be finite and not negative");
+      throw DomainError("leak area = " + to_short_text(a) + " m2: must be finite and not negative");
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ class GasIntegrator::Implementation {
   /// The gas at t, between two segments.
   const UniformGas& locate(double t) {
     if (!substepper_.balance().locate(ledger_.gas(), t - boundary_.segment().begin))
-      throw DomainError(range_text(model_) + "at t = " + to_text(t) + " s");
+      throw DomainError(range_text(model_) + "at t = " + to_short_text(t) + " s", t);
     return substepper_.balance().gas();
   }
 
@@ -141,9 +141,10 @@ class GasIntegrator::Implementation {
       if (sensor.kind != SensorKind::pressure || switchings_[i] < kOften) continue;
       const double reset = sensor.reset.value_or(sensor.threshold);
       throw DomainError("pressure sensor " + std::to_string(i + 1) + ", on at " + to_text(sensor.threshold) +
-                        " Pa and off at " + to_text(reset) + " Pa, keeps switching: " +
-                        std::to_string(switchings_[i]) + " times from t = " + to_text(t0) +
-                        " s to t = " + to_text(t) + " s, every " + to_text((t - t0) / switchings_[i]) +
+                        " Pa and off at " + to_text(reset) +
+                        " Pa, keeps switching: " + std::to_string(switchings_[i]) +
+                        " times from t = " + to_text_beside(t0, t) + " s to t = " + to_text_beside(t, t0) +
+                        " s, every " + to_short_text((t - t0) / switchings_[i]) +
                         " s, because the openings that it switches move p to and fro between the two. " +
                         "Use a lower reset, a delay, or a smaller opening");
     }

@@ -116,8 +116,8 @@ std::optional<double> Mixture::find_temperature(double internal_energy, double g
 double Mixture::temperature(double internal_energy, double guess) const {
   if (const auto t = find_temperature(internal_energy, guess)) return *t;
   throw DomainError("no temperature in the range " + to_text(minimum_temperature) + " to " +
-                    to_text(maximum_temperature) + " K has the internal energy " + to_text(internal_energy) +
-                    " J of " + to_text(mass) + " kg of gas");
+                    to_text(maximum_temperature) + " K has the internal energy " +
+                    to_short_text(internal_energy) + " J of " + to_short_text(mass) + " kg of gas");
 }
 
 }  // namespace gas

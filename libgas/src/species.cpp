@@ -107,7 +107,7 @@ void require_heat_capacity(const std::string& range, const Nasa7& coefficients, 
   const Polynomial cp = cp_over_gas_constant(coefficients);
   for (const double t : extrema(cp, a, b))
     require(value(cp, t) > 1.0 && std::isfinite(value(cp, t)),
-            "cp/R of " + range + " at " + to_text(t) + " K", value(cp, t),
+            "cp/R of " + range + " at " + to_short_text(t) + " K", value(cp, t),
             "must be finite and above 1 in its whole range");
 }
 

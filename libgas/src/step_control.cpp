@@ -128,8 +128,8 @@ void StepControl::require_stable(const Balance& balance, double length, double r
   const double rate = fed ? relaxation : wall_relaxation(balance);
   if (!(length * rate > limit())) return;
   throw DomainError("the step " + to_text(options_.fixed_step) + " s is above the method's stability limit " +
-                    to_text(limit() / rate) + " s at t = " + to_text(balance.absolute_time()) +
-                    " s, where the gas relaxes within " + to_text(1.0 / rate) +
+                    to_text_below(limit() / rate) + " s at t = " + to_short_text(balance.absolute_time()) +
+                    " s, where the gas relaxes within " + to_short_text(1.0 / rate) +
                     " s. Use a shorter gas_step, leave it out, or use Rosenbrock 4 (gas_method)");
 }
 
@@ -143,15 +143,17 @@ void StepControl::require_motion(const Balance& balance, const Moment& begin, co
   if (moved <= options_.relative_tolerance * balance.gas().pressure ||
       std::abs(end.overpressure - begin.overpressure) >= kStill * moved)
     return;
-  throw DomainError("the step " + to_text(options_.fixed_step) +
-                    " s is too long for the balance of flows at t = " + to_text(balance.absolute_time()) +
-                    " s: p hardly moves although its rate is large. Use a shorter gas_step, or none");
+  throw DomainError(
+      "the step " + to_text(options_.fixed_step) +
+      " s is too long for the balance of flows at t = " + to_short_text(balance.absolute_time()) +
+      " s: p hardly moves although its rate is large. Use a shorter gas_step, or none");
 }
 
 void StepControl::fail_crossing(const Balance& balance) const {
   throw DomainError(
       "the step " + to_text(options_.fixed_step) +
-      " s is too long for the balance near ambient pressure at t = " + to_text(balance.absolute_time()) +
+      " s is too long for the balance near ambient pressure at t = " +
+      to_short_text(balance.absolute_time()) +
       " s: flow through the openings takes p past p_a, or the wrong way. Use a shorter gas_step, or none");
 }
 
@@ -160,12 +162,12 @@ std::string StepControl::advice(const Balance& balance, double length) const {
   const double relaxation = gas::relaxation(balance);
   std::string text = jump_text(balance, options_.relative_tolerance);
   if (!text.empty()) return text;
-  if (relaxation > 0.0) text = "; it relaxes within " + to_text(1.0 / relaxation) + " s";
+  if (relaxation > 0.0) text = "; it relaxes within " + to_short_text(1.0 / relaxation) + " s";
   if (length * relaxation > 0.1 * limit()) text += "; Rosenbrock 4 (gas_method) has no such limit";
   const double rounding = rounding_limit(balance);
   if (length > 0.1 * rounding)
-    text += "; it is exchanged within " + to_text(balance.gas().mass / std::abs(balance.flow())) +
-            " s, so that rounding takes sub-steps below " + to_text(rounding) +
+    text += "; it is exchanged within " + to_short_text(balance.gas().mass / std::abs(balance.flow())) +
+            " s, so that rounding takes sub-steps below " + to_short_text(rounding) +
             " s; use a looser gas_tolerance";
   return text;
 }
@@ -179,8 +181,9 @@ bool StepControl::is_too_short(const Balance& balance, double t, double length) 
 void StepControl::fail(System& system, double t, double length, bool found_gas) const {
   Balance& balance = system.balance;
   const Thermo& thermo = balance.boundary().model().thermo;
-  const std::string where = "at t = " + to_text(balance.boundary().segment().begin + t) +
-                            " s with a sub-step of " + to_text(length) + " s";
+  const double at = balance.boundary().segment().begin + t;
+  const std::string where =
+      "at t = " + to_short_text(at) + " s with a sub-step of " + to_short_text(length) + " s";
   // The trial's result does not matter then: events or rates need shorter sub-steps than are possible.
   const bool too_short = is_too_short(balance, t, length);
   if (system.ledger.depleted() && !too_short)
@@ -194,11 +197,12 @@ void StepControl::fail(System& system, double t, double length, bool found_gas) 
   const bool on_end = !begin_has_gas || balance.gas().mass == 0.0 ||
                       temperature <= (1.0 + kOnEnd) * thermo.minimum_temperature() ||
                       temperature >= (1.0 - kOnEnd) * thermo.maximum_temperature();
-  if (!found_gas && (!too_short || on_end)) throw DomainError(range_text(balance.boundary().model()) + where);
+  if (!found_gas && (!too_short || on_end))
+    throw DomainError(range_text(balance.boundary().model()) + where, at);
   Vector rates(balance.boundary().slots().size());
   balance.fill_rates(rates);
   const std::string gas =
-      ", p = " + to_text(balance.gas().pressure) + " Pa and T = " + to_text(temperature) + " K";
+      ", p = " + to_short_text(balance.gas().pressure) + " Pa and T = " + to_short_text(temperature) + " K";
   if (is_fixed())
     throw DomainError("a fixed sub-step of " + to_text(options_.fixed_step) + " s takes more than " +
                       std::to_string(options_.maximum_steps) + " sub-steps, " + where + gas +

@@ -206,9 +206,10 @@ double Substepper::integrate(const TriggerState& triggers) {
       next = *repeated;
       continue;
     }
-    if (balance.gas().beyond)  // the segment starts on the last knot: trials that pass it end there
-      throw DomainError(beyond_text(balance.boundary().model()) +
-                        ", at t = " + to_text(balance.boundary().segment().begin + begin_.t) + " s");
+    if (balance.gas().beyond) {  // the segment starts on the last knot: trials that pass it end there
+      const double at = balance.boundary().segment().begin + begin_.t;
+      throw DomainError(beyond_text(balance.boundary().model()) + ", at t = " + to_short_text(at) + " s", at);
+    }
     const bool landed = next.landing < kInfinity;
     const double fits = clock.time(end_x + events_.time_kept(begin_.moment, end) * fitting) - trial.end;
     const double kept = landed ? std::max(fits, clock.time(end_x + next.length) - trial.end) : fits;

@@ -26,8 +26,9 @@ void add(double factor, const Mixture::Sums& from, Mixture::Sums& to) {
 void require_in_range(double temperature, double minimum, double maximum) {
   if (temperature > 0.0 && temperature >= minimum && temperature <= maximum && std::isfinite(temperature))
     return;
-  throw DomainError("temperature = " + to_text(temperature) + " K: outside " + to_text(minimum) + " to " +
-                    to_text(maximum) + " K");
+  const double nearest = temperature < minimum ? minimum : maximum;
+  throw DomainError("temperature = " + to_text_beside(temperature, nearest) + " K: outside " +
+                    to_text(minimum) + " to " + to_text(maximum) + " K");
 }
 
 }  // namespace

@@ -57,8 +57,9 @@ TankGas::Rate TankGas::rate(double time, double p, double dp, double m) const {
   const double gas_constant = own_.gas_constant_sum + m * inflator_.gas_constant_sum;
   const double t = temperature(p, m);
   if (!(t >= range_.low && t <= range_.high))
-    throw DomainError("tank test: at " + to_text(time) + " s the gas in the tank is at " + to_text(t) +
-                      " K, outside " + to_text(range_.low) + " to " + to_text(range_.high) +
+    throw DomainError("tank test: at " + to_short_text(time) + " s the gas in the tank is at " +
+                      to_text_beside(t, t < range_.low ? range_.low : range_.high) + " K, outside " +
+                      to_text(range_.low) + " to " + to_text(range_.high) +
                       " K: pressures, volume and mass do not fit");
   const double cv = own_.cv(t) + m * inflator_.cv(t);
   return {cv * volume_ * dp / gas_constant,

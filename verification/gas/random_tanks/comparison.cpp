@@ -21,18 +21,11 @@ bool says(const Computed& computed, const char* text) {
   return computed.refusal.find(text) != std::string::npos;
 }
 
-/// The time that a refusal names [s].
-double time_of(const std::string& refusal) {
-  const std::string before = "at t = ";
-  const auto at = refusal.find(before);
-  return at == std::string::npos ? std::nan("") : std::stod(refusal.substr(at + before.size()));
-}
-
 /// How far inside its limit the second route is when libgas says that the limit is passed, relative; 0 if
 /// beyond.
 double distance_to_limit(const Tank& tank, const std::string& csv, const Computed& computed) {
   Options options{kTight};
-  options.until = time_of(computed.refusal);
+  options.until = computed.refused_at;
   if (!(options.until >= 0.0)) return HUGE_VAL;
   const Outcome own = plain_route(tank, csv, options);
   if (!own.failure.empty() || own.samples.empty()) return HUGE_VAL;

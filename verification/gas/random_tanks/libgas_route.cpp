@@ -129,6 +129,7 @@ Computed libgas_route(const Tank& tank) {
     }
   } catch (const gas::DomainError& error) {
     result.refusal = error.what();
+    result.refused_at = error.time;
   }
   return result;
 }

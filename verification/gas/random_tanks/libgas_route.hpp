@@ -15,7 +15,8 @@ struct Computed {
   std::vector<Sample> samples;  // at the start and at the end of each call
   double balance =
       0.0;  // residual of mass or energy of a call, the largest, over the sum of the terms' magnitudes
-  std::string refusal;  // what the DomainError says; empty: none
+  std::string refusal;      // what the DomainError says; empty: none
+  double refused_at = 0.0;  // its time [s]
 };
 Computed libgas_route(const Tank& tank);
 
