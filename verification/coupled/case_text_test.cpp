@@ -2,6 +2,7 @@
 // A case taken apart by `unset`, and written as text that means the same.
 #include <gtest/gtest.h>
 
+#include "base/number_text.hpp"
 #include "case_folder.hpp"
 
 namespace {
@@ -20,6 +21,15 @@ std::vector<std::string> settings_of(const fs::path& file) {
     if (setting.path.find("file") == std::string::npos)
       list.push_back(setting.path + (setting.is_default ? " * " : " = ") + setting.value);
   return list;
+}
+
+TEST(case_text, numbers_that_differ_never_look_alike) {
+  EXPECT_EQ(driver::digits_beside(0.0123456, 1.0), "0.0123");
+  EXPECT_EQ(driver::digits_beside(1e-3, 1.0 / 1024.0), "0.001");
+  EXPECT_EQ(driver::digits_beside(20000.25, 20000.0), "20000.2");
+  EXPECT_EQ(driver::digits_beside(20000.0, 20000.25), "20000");
+  EXPECT_EQ(driver::digits_beside(20000.0, 1e5), "20000");
+  EXPECT_EQ(driver::digits_beside(0.5, 0.5), "0.5");
 }
 
 TEST(case_text, means_the_same_in_another_folder) {

@@ -90,7 +90,7 @@ TEST(compare_ensemble, run_is_filtered_as_the_reference_is) {
   EXPECT_NE(coarse.verdict, Verdict::inside);
   EXPECT_NE(coarse.verdict, Verdict::outside);
   ASSERT_FALSE(coarse.quantities.empty());
-  EXPECT_EQ(coarse.quantities[0].reason, "mine has rows 0.001 s apart, CFC 180 needs 0.000556 s or less");
+  EXPECT_EQ(coarse.quantities[0].reason, "mine has rows 0.001 s apart, CFC 180 needs 0.000555 s or less");
 }
 
 TEST(compare_ensemble, rows_of_an_ensemble_end_with_the_filtered_acceleration) {

@@ -71,4 +71,13 @@ double three_digits_above(double value) {
   return nearest >= value ? nearest : nearest + unit;
 }
 
+std::string digits_beside(double value, double other) {
+  int digits = 3;
+  while (digits < 17 && value != other &&
+         fmt::format("{:.{}g}", value, digits) == fmt::format("{:.{}g}", other, digits))
+    ++digits;
+  const std::string text = fmt::format("{}", value), rounded = fmt::format("{:.{}g}", value, digits);
+  return text.size() <= rounded.size() ? text : rounded;  // 20000 rather than 2e+04
+}
+
 }  // namespace driver

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "engine/channel_filter.hpp"
 
 namespace driver {
@@ -22,8 +23,10 @@ Filtered filtered_as(const History& reference, const History& mine) {
     const std::string name = filtered_column(channel_class);
     if (mine.find(name) || !reference.find(name)) continue;
     if (widest > widest_interval(channel_class) * (1.0 + 1e-12))
-      result.too_coarse[name] = fmt::format("mine has rows {:.3g} s apart, CFC {} needs {:.3g} s or less",
-                                            widest, channel_class, widest_interval(channel_class));
+      result.too_coarse[name] =
+          fmt::format("mine has rows {} s apart, CFC {} needs {:.3g} s or less",
+                      digits_beside(widest, widest_interval(channel_class)), channel_class,
+                      three_digits_below(widest_interval(channel_class)));
     else
       result.columns.columns.emplace_back(name,
                                           filtered_resultant({mine.time, *first, *second}, channel_class));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/csv_table.hpp"
+#include "base/number_text.hpp"
 #include "base/result_folder.hpp"
 #include "base/text_file.hpp"
 #include "compare/compare.hpp"
@@ -125,7 +126,7 @@ void require_same_run(const std::filesystem::path& file, const PageTable& table,
   if (table.end != main.end)
     throw CaseError(
         fmt::format("{}: ends at {} s, but the table beside it at {} s: one of them is incomplete",
-                    file.string(), table.end, main.end));
+                    file.string(), digits_beside(table.end, main.end), digits_beside(main.end, table.end)));
 }
 
 std::string run_in(const Json& json) {
@@ -135,7 +136,7 @@ std::string run_in(const Json& json) {
 void require_end(double end, const char* who, const std::filesystem::path& file, double last) {
   if (last < end * (1.0 - 1e-6))
     throw CaseError(fmt::format("{}: ends at {} s, but the run at {} s (see {}): the file is incomplete",
-                                file.string(), last, end, who));
+                                file.string(), digits_beside(last, end), digits_beside(end, last), who));
 }
 
 // Throws CaseError unless a file of a finished run ends with the run.

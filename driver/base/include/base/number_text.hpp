@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace driver {
@@ -18,5 +19,8 @@ std::optional<double> fraction_of(std::string_view text);
 double three_digits_below(double value);
 /// The same, rounded up.
 double three_digits_above(double value);
+
+/// `value` for people: three digits, or as many as tell it from `other`, which stands beside it.
+std::string digits_beside(double value, double other);
 
 }  // namespace driver

@@ -134,7 +134,8 @@ void warn_if_coarse(const jet::JetModel& model, std::size_t inflator, const Eige
   if (longest > 1.5 * width)
     warnings.push_back(fmt::format(
         "jet of inflator {}: element sides of up to {:.3g} m are too coarse for its width of {:.3g} m (1/e) "
-        "at the outlet, so its force is accidental: use finer elements or inflator.{}.jet.subdivisions",
+        "at the outlet, so its force depends on where nodes happen to lie: use finer elements or "
+        "inflator.{}.jet.subdivisions",
         inflator, longest, width, inflator));
 }
 

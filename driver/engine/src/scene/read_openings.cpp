@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "scene/gas_curve.hpp"
 #include "scene/read_triggers.hpp"
 
@@ -108,8 +109,8 @@ void read_volume_of_overpressure(TableReader& tank, GasPart& part) {
     gas::validate(part.model);
     if (overpressure > curve.knots().back().time)
       throw std::invalid_argument(fmt::format(
-          "ends at an overpressure of {} Pa, allowed: that of the gas at the start, {} Pa, or more",
-          curve.knots().back().time, overpressure));
+          "ends at an overpressure of {} Pa, allowed: that of the gas at the start, {:.3g} Pa, or more",
+          curve.knots().back().time, three_digits_above(overpressure)));
     part.rigid_volume = curve.value(overpressure);
   });
 }

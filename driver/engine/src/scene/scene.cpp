@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/formats.hpp"
+#include "base/number_text.hpp"
 #include "base/progress.hpp"
 #include "engine/channel_filter.hpp"
 #include "scene/plausibility.hpp"
@@ -131,7 +132,7 @@ void read_channel_classes(TableReader& table, Scene& scene) {
     if (scene.time.step && *scene.time.step > widest_interval(channel_class) * (1.0 + 1e-12))
       table.fail("channel_classes",
                  fmt::format("{} needs steps of {:.3g} s or less, time.step is {} s", channel_class,
-                             widest_interval(channel_class), *scene.time.step));
+                             three_digits_below(widest_interval(channel_class)), *scene.time.step));
 }
 
 void read_output(TableReader& root, Scene& scene) {
@@ -175,8 +176,7 @@ void check_composition(const TableReader& root, const Scene& scene) {
   for (const auto& sensor : scene.gas ? scene.gas->model.triggers.sensors : std::vector<gas::Sensor>{})
     if (sensor.kind == gas::SensorKind::input && !scene.contact)
       root.fail("sensor", "of contact: the scene has no [contact]");
-  if (scene.pendulum && !scene.bag && !scene.time.step)
-    root.fail("time", "step is needed for a pendulum alone");
+  if (scene.pendulum && !scene.bag && !scene.time.step) root.fail("time", "needs step for a pendulum alone");
 }
 
 }  // namespace

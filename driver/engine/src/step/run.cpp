@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "base/progress.hpp"
 #include "coupling/side.hpp"
 #include "engine/drift.hpp"
@@ -89,8 +90,10 @@ std::string never_on(const Scene& scene, const State& state, std::size_t node) {
   const auto& sensors = scene.gas->model.triggers.sensors;
   if (node >= sensors.size() || sensors[node].kind != gas::SensorKind::pressure)
     return "its trigger was never on";
-  return fmt::format("its sensor comes on at {:.6g} Pa, but the largest overpressure was {:.6g} Pa",
-                     sensors[node].threshold, state.peaks.pressure - scene.ambient.pressure);
+  const double largest = state.peaks.pressure - scene.ambient.pressure;
+  return fmt::format("its sensor comes on at {} Pa, but the largest overpressure was {} Pa",
+                     digits_beside(sensors[node].threshold, largest),
+                     digits_beside(largest, sensors[node].threshold));
 }
 
 // Vents and inflators that wait for a trigger which never came on. Other vents have an area, or say so in the
@@ -112,10 +115,12 @@ void note_held_velocities(const Scene& scene, const State& state, RunOutcome& ou
   if (!scene.gas) return;
   const double largest = state.peaks.pressure - scene.ambient.pressure;
   for (const gas::Fabric& fabric : scene.gas->model.fabrics) {
-    if (!fabric.velocity || largest <= fabric.velocity->knots().back().time) continue;
+    if (!fabric.velocity) continue;
+    const double end = fabric.velocity->knots().back().time;
+    if (largest <= end) continue;
     outcome.notes.push_back(fmt::format(
-        "{}.velocity ends at {:.6g} Pa and was held above; the largest overpressure was {:.6g} Pa",
-        scene.bag ? "fabric" : "tank.fabric", fabric.velocity->knots().back().time, largest));
+        "{}.velocity ends at {} Pa and was held above; the largest overpressure was {} Pa",
+        scene.bag ? "fabric" : "tank.fabric", digits_beside(end, largest), digits_beside(largest, end)));
     return;
   }
 }
