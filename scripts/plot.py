@@ -61,12 +61,12 @@ class Table:
         if not text.endswith("\n"):
             fail(f"{self.path}: its last row has no end of line: the file is cut")
         if says.get("status", "running") == "running":
-            fail(f"{self.path}: its run has not ended ({status} says so): wait for its end; if it was killed, run it again")
+            fail(f"{self.path}: its run has not ended (see {status}): wait for its end; if it was killed, run it again")
         if says["status"] == "interrupted" and "file: journal.jsonl" in lines:
-            fail(f"{self.path}: was interrupted before all runs were done ({status} says so): the same command goes on from there")
+            fail(f"{self.path}: was interrupted before all runs were done (see {status}): run the same command to continue")
         own = re.search("^# run: (.*)$", text.partition("\n\n")[0], flags=re.M)
         if (own[1] if own else "") != says.get("run", ""):
-            fail(f"{self.path}: is of the run '{own[1] if own else ''}', its folder is of '{says.get('run', '')}' ({status} says so): run the case again")
+            fail(f"{self.path}: is of the run '{own[1] if own else ''}', but its folder of '{says.get('run', '')}' (see {status}): run the case again")
 
     def __contains__(self, column):
         return column in self.names

@@ -56,9 +56,9 @@ def arguments(words):
             fail(f"{words[0]} needs a value")
         options[words[0]], words = words[1], words[2:]
     if not is_share(options["--tolerance"]):
-        fail(f"--tolerance {options['--tolerance']}: a share from 0 to 1, such as 0.02 or 2%, is allowed")
+        fail(f"--tolerance {options['--tolerance']}: is not a share from 0 to 1, such as 0.02 or 2%")
     if not re.fullmatch("[1-9][0-9]*", options["--timeout"]):
-        fail(f"--timeout {options['--timeout']}: a whole number of seconds above 0 is allowed")
+        fail(f"--timeout {options['--timeout']}: is not a whole number of seconds above 0")
     if not words:
         fail("needs the command of a program")
     if not shutil.which(words[0]):
@@ -91,7 +91,7 @@ class Scene:
 
 def chosen_scenes(names):
     if not re.fullmatch("[a-z_,]*", names):
-        fail("--scenes: names of scenes are allowed, such as tank_fill,plate_jet")
+        fail("--scenes: allowed: names of scenes, such as tank_fill,plate_jet")
     known = sorted(file.stem for file in REFERENCE.glob("*.csv"))
     chosen = names.split(",") if names else known
     for name in chosen:
@@ -113,20 +113,20 @@ def read_tolerances(path):
         if not line.strip() or line.startswith("#"):
             continue
         if not header:
-            header = fields == ["scene", "column", "tolerance"] or fail(f"{place}1: the header scene,column,tolerance is needed")
+            header = fields == ["scene", "column", "tolerance"] or fail(f"{place}1: needed: the header scene,column,tolerance")
             continue
         if len(fields) != 3:
-            fail(f"{place}1: has {len(fields)} fields, three are needed")
+            fail(f"{place}1: has {len(fields)} fields, needed: three")
         scene, column, share = fields
         if scene not in known:
-            fail(f"{place}1: scene: no scene '{scene}', those of the reference set and * are allowed")
+            fail(f"{place}1: scene: no scene '{scene}', allowed: those of the reference set and *")
         if column != "*" and column not in known[scene]:
             whose = "any scene" if scene == "*" else scene
-            fail(f"{place}{len(scene) + 2}: column: no column '{column}' of {whose}, those with a band and * are allowed")
+            fail(f"{place}{len(scene) + 2}: column: no column '{column}' of {whose}, allowed: those with a band and *")
         if not is_share(share):
-            fail(f"{place}{len(scene) + len(column) + 3}: tolerance: '{share}', a share from 0 to 1, such as 0.02 or 2%, is allowed")
+            fail(f"{place}{len(scene) + len(column) + 3}: tolerance: '{share}' is not a share from 0 to 1, such as 0.02 or 2%")
         rows.append(fields)
-    return rows if header else fail(f"{path}:1:1: is empty, the header scene,column,tolerance is needed")
+    return rows if header else fail(f"{path}:1:1: is empty, needed: the header scene,column,tolerance")
 
 
 class Judge:

@@ -70,7 +70,7 @@ def test_killed():
     for name in re.findall('file="([^"]*)"', fields):
         assert "</VTKFile>" in read(f"run/{name}"), f"{name} is named and not whole"
     assert load("run/summary.json")["status"] == status("run") == "running"
-    expect(2, r"history.csv: its run has not ended \(gasjet.status says so\)", "compare run/history.csv run/history.csv")
+    expect(2, r"history.csv: its run has not ended \(see gasjet.status\)", "compare run/history.csv run/history.csv")
     ended(2, "history.csv: its run has not ended", program(PLOT, "history", "plot", "run"))
     ok(f"run {TANK} --out run --quiet")
     assert sorted(os.listdir("run")) == ["check.json", "energy.csv", "gasjet.status", "history.csv", "summary.json"]
@@ -108,26 +108,26 @@ def test_mixed():
     ok(f"run bag_from_files.toml {short} --out changed")
     assert run_id("here") == run_id("there") != run_id("changed")
     shutil.copy("b/history.csv", "a/history.csv")
-    other = "history.csv: is of the run '[0-9a-f]{16}', its folder is of"
+    other = "history.csv: is of the run '[0-9a-f]{16}', but its folder of"
     expect(2, other, "compare a/history.csv b/history.csv")
     ended(2, other, program(PLOT, "history", "plot", "a"))
-    refused("--out .*: holds the results of gasjet run: name another folder", f"ladder {TANK} --quantity pressure --out a")
+    refused("--out .*: contains the results of gasjet run: name another folder", f"ladder {TANK} --quantity pressure --out a")
     # A status file that names what is outside of its folder, or none of ours.
     write("precious", "precious")
     write("b/gasjet.status", read("a/gasjet.status").splitlines()[0], "command: run", "run: 0", "file: ../precious", "status: done")
-    refused("summary.json is there, and gasjet has not written it", f"run {TANK} --out b")
+    refused("summary.json exists, but gasjet did not write it", f"run {TANK} --out b")
     for file in (*Path("b").glob("*.csv"), *Path("b").glob("*.json")):
         file.unlink()
     expect(0, "done", f"run {TANK} --out b")
     assert read("precious") == "precious\n"
     write("b/gasjet.status", "mine")
-    refused("gasjet.status: is no status file of gasjet", f"run {TANK} --out b")
+    refused("gasjet.status: is not a status file of gasjet: move it away", f"run {TANK} --out b")
     # A folder of the user's in the place of a file.
     ok(f"run {TANK} --out before --quiet")
     shutil.copytree("before", "kept")
     os.remove("kept/energy.csv")
     os.makedirs("kept/energy.csv/mine")
-    refused("energy.csv is there, and gasjet has not written it", f"run {TANK} --out kept --set scene.end_time=0.05")
+    refused("energy.csv exists, but gasjet did not write it", f"run {TANK} --out kept --set scene.end_time=0.05")
     assert os.path.isdir("kept/energy.csv/mine")
     # Two files are of one computation if, and only if, they are of one id.
     ok(f"run {TANK} --out same --quiet --threads 2 --set scene.end_time=0.1")

@@ -41,7 +41,7 @@ def test_ladder():
     expect(0, "only: single runs", f"{BAG} --out single {held}")
     expect(4, "means of 2 to 4 runs", f"{BAG} --out means {held} --runs 2 --most-runs 4")
     shutil.copy(TANK, "bag/cheapest.toml")
-    expect(2, "--out .*bag: cheapest.toml is there, and gasjet has not written it", f"{LADDER} --out bag")
+    expect(2, "--out .*bag: cheapest.toml exists, but gasjet did not write it", f"{LADDER} --out bag")
     assert read("bag/cheapest.toml") == read(TANK)
     assert ok(f"{LADDER} --out tank --quiet").said == ""
 
@@ -96,7 +96,7 @@ def test_ladder_bad_input(says, words):
 
 def test_ladder_in_the_way():
     os.makedirs("way/ladder.csv")
-    expect(2, "--out .*way: ladder.csv is there, and gasjet has not written it", f"{LADDER} --out way")
+    expect(2, "--out .*way: ladder.csv exists, but gasjet did not write it", f"{LADDER} --out way")
 
 
 def costs(folder):
@@ -170,7 +170,7 @@ TABLES = ("ensemble.csv", "quantities.csv")
 
 def test_resume():
     # A journal cannot hold what is no number: such a run has failed.
-    expect(3, "failed run, left out: pendulum_joint_force_N is no finite number", "ensemble cases/ball_impact.toml --runs 2 --out no_number"
+    expect(3, "failed run, left out: pendulum_joint_force_N is not a finite number", "ensemble cases/ball_impact.toml --runs 2 --out no_number"
            " --set scene.end_time=1e-3 --set membrane.mesh.levels=1 --set pendulum.mass=1e307")
     ok(f"{ENSEMBLE} --quiet --out whole")
     for how in (signal.SIGINT, signal.SIGKILL):
@@ -182,7 +182,7 @@ def test_resume():
             assert code == 130 and status(folder) == "interrupted"
             assert has(f"{folder}/sphere_inflation/ensemble.csv", "^# status: interrupted, [1-9] of 10 runs")
             ended(2, "was interrupted before all runs were done", program(ROOT / "scripts/plot.py", "ensemble", "plot", f"{folder}/sphere_inflation"))
-        expect(0, "goes on after [1-9] runs that are done", f"{ENSEMBLE} --out {folder}")
+        expect(0, "continues after [1-9] finished runs", f"{ENSEMBLE} --out {folder}")
         same("whole/sphere_inflation", f"{folder}/sphere_inflation", *TABLES)
         mine, other = (load(f"{f}/sphere_inflation/ensemble.json") for f in ("whole", folder))
         assert mine["build"].pop("date") and other["build"].pop("date") and mine == other
@@ -200,7 +200,7 @@ def test_resume_long_names():
     long = "n" * 300
     refused("File name too long", f"{ENSEMBLE} --out {long}")
     refused("File name too long", f"study run cases/studies/runs_needed.toml --out {long}")
-    refused("holds no plan.toml", f"study merge {long}")
+    refused("has no plan.toml: name a folder of", f"study merge {long}")
 
 
 def test_resume_shares():
@@ -215,11 +215,11 @@ def test_resume_shares():
     for pattern, new in (('"status":"done"', '"status":"gone"'), (r'"values":\[[^],]*,', '"values":['), (r'"values":\[[^],]*,', '"values":["1",'),
                          (r'"rows":\[\[[^]]*\],', '"rows":[[0.0],')):
         write(shares / "1_of_3/journal.jsonl", *lines[:2], re.sub(pattern, new, lines[2]), *lines[3:])
-        expect(2, "shares/1_of_3/journal.jsonl:3:1: is damaged: no run of the plan; remove the line", shared)
+        expect(2, "shares/1_of_3/journal.jsonl:3:1: is damaged, not a run of the plan: remove the line", shared)
     write(shares / "1_of_3/journal.jsonl", *lines[:2])
-    refused("--share 4/3: NUMBER/COUNT", f"{shared} --share 4/3")
+    refused("--share 4/3: is not NUMBER/COUNT", f"{shared} --share 4/3")
     expect(2, "shares/[13]_of_3: is of another plan, case or build", f"{shared} --share 2/3 --amplitude 2e-5")
-    expect(0, "goes on after 2 runs that are done", shared)
+    expect(0, "continues after 2 finished runs", shared)
     same("whole/sphere_inflation", "shared/sphere_inflation", *TABLES)
     assert not shares.exists()
     # Results that are there stay when the shares are of another command.
@@ -237,7 +237,7 @@ def test_resume_ladder():
     write("ladder/journal.jsonl", kept, '{"run":"seed 1"}')
     expect(2, "ladder/journal.jsonl:[0-9]+:1: is damaged", f"{ladder} --out ladder")
     write("ladder/journal.jsonl", kept)
-    expect(0, "goes on after [0-9]+ runs that are done", f"{ladder} --out ladder")
+    expect(0, "continues after [0-9]+ finished runs", f"{ladder} --out ladder")
     ok(f"{ladder} --out whole --quiet")
     assert rungs("whole") == rungs("ladder")
     assert sum(row["rung"].startswith("and ") for row in table("ladder/ladder.csv")) > 2
@@ -257,5 +257,5 @@ def test_resume_two_cases():
             if status("killed") != "done":
                 break
         assert not os.path.exists("killed/effects.csv")
-        expect(0, "(?s)sphere_inflation: goes on after 4 runs .*slow: goes on after [1-3] runs", f"{against} --out killed")
+        expect(0, "(?s)sphere_inflation: continues after 4 finished runs.*slow: continues after [1-3] finished runs", f"{against} --out killed")
         same("both", "killed", "effects.csv", *(f"{case}/{name}.csv" for case in ("sphere_inflation", "slow") for name in ("ensemble", "quantities", "runs")))

@@ -74,7 +74,7 @@ def test_mpi_interrupt():
     of_the_job = [int(pid) for pid in os.listdir("/proc") if pid.isdigit() and is_rank(pid, here)]
     os.kill(max(of_the_job), signal.SIGINT)  # the newest
     assert job.wait() == 130 and status("stopped/shares/1_of_1") == "interrupted"
-    on_ranks(0, "goes on after [0-9]+ runs that are done", 3, "study run plan.toml --out stopped")
+    on_ranks(0, "continues after [0-9]+ finished runs", 3, "study run plan.toml --out stopped")
     ok("study run plan.toml --out unstopped --quiet")
     same_study("unstopped", "stopped")
 

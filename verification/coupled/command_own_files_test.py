@@ -14,7 +14,7 @@ def test_own_files():
     kept = lambda *names: all(read(name) == "mine\n" for name in names)
     os.mkdir("mine")
     mine("mine/notes.txt")
-    refused("--out mine: holds files, and gasjet run has not made it: name another folder", f"run {TANK} --out mine")
+    refused("--out mine: contains files, but gasjet run did not create it: name another folder", f"run {TANK} --out mine")
     assert os.listdir("mine") == ["notes.txt"] and kept("mine/notes.txt")
     expect(0, "done", f"run {TANK} --out parts")
     parts = [f"parts/{name}.part" for name in ("summary.json", "history.csv", "bag.obj")]
@@ -42,13 +42,13 @@ def test_own_files():
         expect(3, "step 0: .* is not finite", "run cases/plate_jet.toml --set output.frames=3 --set inflator.0.mass_flow=1e305 --out failed")
     # The folder around an ensemble's results is the ensemble's too.
     ok("ensemble cases/sphere_inflation.toml --runs 2 --quiet --set scene.end_time=2e-4 --out around")
-    refused("holds the results of gasjet ensemble: name another folder", f"run {TANK} --out around")
+    refused("contains the results of gasjet ensemble: name another folder", f"run {TANK} --out around")
     # A study that is refused leaves nothing.
     write("plan.toml", "[study]", f'case = "{TANK}"', 'quantities = ["peak_pressure_Pa"]')
-    refused("holds the results of gasjet run: name another folder", "study run plan.toml --out parts")
+    refused("contains the results of gasjet run: name another folder", "study run plan.toml --out parts")
     os.mkdir("study")
     mine("study/results.csv")
-    refused("--out study: holds files, and gasjet study has not made it", "study run plan.toml --out study")
+    refused("--out study: contains files, but gasjet study did not create it", "study run plan.toml --out study")
     # Names of files that are no UTF-8.
     name = os.fsdecode(b"a\xff.csv")
     shutil.copy("cases/reference/tank_fill.csv", name)
@@ -64,13 +64,13 @@ def test_own_files_decks():
     deck = "export cases/jet_bag.toml --units kg-m-s --format"
     os.mkdir("deck")
     write("deck/export.md", "mine")
-    refused("--out deck: holds files, and gasjet export has not made it", f"{deck} radioss --out deck")
+    refused("--out deck: contains files, but gasjet export did not create it", f"{deck} radioss --out deck")
     os.remove("deck/export.md")
     expect(0, "are in", f"{deck} radioss --out deck")
     expect(0, "are in", f"{deck} lsdyna --out deck")
     assert sorted(os.listdir("deck")) == ["bag.k", "export.json", "export.md", "gasjet.status"]
     ok(f"run {TANK} --quiet --out run")
-    refused("holds the results of gasjet run", f"{deck} radioss --out run")
+    refused("contains the results of gasjet run", f"{deck} radioss --out run")
     expect(0, "a.x0ab: bag.k and export.md are in", f"{deck} lsdyna --out deck --set", 'scene.name="a\\nb"')
     assert has("deck/export.md", "^# a.x0ab as a deck of lsdyna")
 

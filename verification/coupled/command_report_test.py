@@ -78,9 +78,9 @@ OTHER_RUN = (b'"run":( ?)"[0-9a-f]*"', rb'"run":\1"0123456789abcdef"')
     ("summary.json", rb"(?s)\A(.{100}).*\Z", rb"\1", "summary.json: is not a JSON object, or is incomplete"),
     ("summary.json", rb"(?s)\A.*\Z", b'{"status": 1}', "bad: its JSON is not from gasjet"),
     # A folder of two runs, and one whose run has not ended.
-    ("summary.json", *OTHER_RUN, "summary.json: is of the run '0123456789abcdef', its folder is of"),
-    ("frames.bin", *OTHER_RUN, "frames.bin: is of the run '0123456789abcdef', its folder is of"),
-    ("check.json", *OTHER_RUN, "check.json: is of the run '0123456789abcdef', its folder is of"),
+    ("summary.json", *OTHER_RUN, "summary.json: is of the run '0123456789abcdef', but its folder of"),
+    ("frames.bin", *OTHER_RUN, "frames.bin: is of the run '0123456789abcdef', but its folder of"),
+    ("check.json", *OTHER_RUN, "check.json: is of the run '0123456789abcdef', but its folder of"),
     ("gasjet.status", b"(?m)^status: done", b"status: running", "history.csv: its run has not ended"),
 ], ids=lambda value: "" if isinstance(value, bytes) else value[:30])
 def test_report_damaged(bag, file, pattern, new, says):
@@ -129,7 +129,7 @@ def test_report_bands():
     refused("ensemble.csv: ends at .* s, but the run at 0.001 s .see ensemble.json.: the file is incomplete", f"report bad {PAGE}")
     a_copy("none")
     change("bad/ensemble.csv", (r"(?s)..\Z", ""))
-    refused("ensemble.csv: its last row has no end of line: the file is cut", f"report bad {PAGE}")
+    refused("ensemble.csv: its last row has no end of line: the file is incomplete", f"report bad {PAGE}")
     refused("ensemble.csv: its last row has no end of line", f"compare bad/ensemble.csv {ensemble}/ensemble.csv")
     write("interval.csv", "time_s,force_low_N,force_high_N,force_N", "0,1,2,1", "1,2,2,2", "2,2,3,2")
     expect(0, "MB", f"report interval.csv {PAGE}")

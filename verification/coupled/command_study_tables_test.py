@@ -194,9 +194,9 @@ def test_study_inputs_journal():
     for entry in ({**run, "run": -3}, {**run, "run": 2}, {**run, "status": "gone"}, {**run, "values": [1, 2]}, {**run, "values": ["1"]}, {"run": 3},
                   {"run": "0"}, {"build": 3}, 7):
         journal.write_text(kept + json.dumps(entry) + "\n")
-        expect(2, "journal.jsonl:5:1: is damaged: no run of the plan", "study merge out")
+        expect(2, "journal.jsonl:5:1: is damaged, not a run of the plan", "study merge out")
     journal.write_text(kept.replace('"inputs":', '"others":'))
-    expect(2, "journal.jsonl:3:1: a run, but no line before it says of which files", "study merge out")
+    expect(2, "journal.jsonl:3:1: is a run without a line before it that names its files", "study merge out")
     journal.write_text(kept)
     expect(0, "2 of 2 runs", "study merge out")
     write("p.csv", "flow", "# none", "0.1", "-2")
@@ -246,5 +246,5 @@ def test_study_glitches():
     # Memory is the machine's: rows of a million times need more than this limit.
     tank_plan('set = ["output.history_every=1e-7"]')
     if fits(60000):
-        expect(3, "point 0, seed 0: out of memory: .* the same command goes on", "study run plan.toml --out memory", preexec_fn=limited(110000))
+        expect(3, "point 0, seed 0: out of memory: .* Run the same command with more memory to continue", "study run plan.toml --out memory", preexec_fn=limited(110000))
         expect(0, "1 of 1 runs: 1 done", "study run plan.toml --out memory")

@@ -31,7 +31,7 @@ def test_study():
     expect(0, "12 of 12 runs", "study merge shares")
     same_study("alone", "shares", "study.json")
     assert load("shares/study.json")["study"] == "thrice"
-    expect(0, "goes on after 12 runs", "study run thrice.toml --out alone")
+    expect(0, "continues after 12 finished runs", "study run thrice.toml --out alone")
     # Killed: what had ended is there, what had not is computed, and an incomplete folder says so.
     bag_plan(40, to="long.toml")
     run, journal = started("study run long.toml --out killed --quiet"), "killed/shares/1_of_1/journal.jsonl"
@@ -43,7 +43,7 @@ def test_study():
     expect(4, "of 80 runs", "study merge killed")
     summary = load("killed/study.json")
     assert summary["status"] == "incomplete" and re.search(r"not run yet: .*point 1 \(.*\), 40 seeds", str(summary["notes"]))
-    expect(0, "(?s)goes on after .*80 of 80 runs: 80 done", "study run long.toml --out killed --threads 2")
+    expect(0, "(?s)continues after .*80 of 80 runs: 80 done", "study run long.toml --out killed --threads 2")
     ok("study run long.toml --out whole --quiet --threads 2")
     same_study("whole", "killed")
     # A full disk costs the runs that do not fit.
@@ -142,7 +142,7 @@ def test_study_levels_quantities():
     assert float(row["integral(pressure_Pa)"]) == pytest.approx(area, rel=1e-12)
     assert float(row["inflow_enthalpy_J"]) == numbers("run/energy.csv")["inflow_enthalpy_J"][-1]
     change("plan.toml", (r"max\(", "mean("))
-    refused('holds "mean.pressure_Pa.", which the scene lacks; allowed are .*integral.. of a column', "study run plan.toml --out none")
+    refused('has "mean.pressure_Pa.", which the scene does not have; allowed: .*integral.. of a column', "study run plan.toml --out none")
 
 
 def test_study_plans():
@@ -176,21 +176,23 @@ AT = "plan.toml"
     (f'{AT}:4:1: study.design: is "random", allowed: one of', ['design = "random"']),
     (f"{AT}:4:1: study.set: gas.foo=1: gas.foo: unknown key", ['set = ["gas.foo=1"]']),
     (f"{AT}:4:1: study.unset: gas.foo: the case has no such key", ['unset = ["gas.foo"]']),
-    (f"{AT}:4:1: study.seeds: perturb the nodes of a membrane", ["seeds = 4"]),
+    (f"{AT}:4:1: study.seeds: perturb the nodes of a membrane, but the scene has none", ["seeds = 4"]),
     (f"{AT}:6:1: factor.0.values: is not an array with at least one value", flow("values = []")),
     (f'{AT}:4:1: factor.0: has the level "1" twice', flow("values = [1, 1.0]")),
     (rf"{AT}:5:1: factor.0.kye: unknown key, .*; is 'key' meant\?", ["[[factor]]", 'kye = "inflator.0.mass_flow"']),
-    ('stop.quantity: is "mass", one of the study\'s is needed: pressure_Pa', ["[stop]", 'quantity = "mass"']),
-    ('analysis.base.factor: is "x", a factor is needed', ["[analysis]", 'base = { factor = "x", level = "y" }']),
+    ('stop.quantity: is "mass", allowed: one of the study\'s quantities pressure_Pa', ["[stop]", 'quantity = "mass"']),
+    ('analysis.base.factor: is "x", but the plan has no factors', ["[analysis]", 'base = { factor = "x", level = "y" }']),
+    ('analysis.base.factor: is "x", allowed: one of the factors inflator.0.mass_flow$',
+     (*flow("values = [1, 2]"), "[analysis]", 'base = { factor = "x", level = "y" }')),
     # An analysis that cannot be made of the points.
     (f"{AT}:8:1: analysis.response_surface: of 1 factors has 3 terms and needs 4 points or more, the plan has 3",
      (*flow("values = [1, 2, 3]"), *SURFACE)),
     (f"{AT}:5:1: analysis.response_surface: needs factors", SURFACE),
-    ("analysis.response_surface: has 10 terms that the points do not tell apart",
+    ("analysis.response_surface: has 10 terms that the points do not distinguish: use three",
      (*flow("values = [1, 2]"), *HEAT, *factor("tank.volume", "values = [1, 2, 3]"), *SURFACE)),
-    ("analysis.convergence: needs 3 points or more that differ in the size alone",
+    ("analysis.convergence: needs 3 points or more that differ in the size only",
      ('design = "list"', *flow("values = [1, 1.5, 2]"), *HEAT, "[analysis]", 'convergence = "inflator.0.temperature"')),
-    (f"{AT}:12:1: analysis.base: pairs no points: two are needed that differ in inflator.0.temperature alone",
+    (f"{AT}:12:1: analysis.base: pairs no points: it needs two that differ in inflator.0.temperature only",
      ('design = "list"', *flow("values = [1, 1.5, 2]"), *HEAT, "[analysis]", 'base = { factor = "inflator.0.temperature", level = "400" }')),
     ('analysis.base.level: is "40", which the factor does not have: it has "300", "400", "500"',
      ('design = "list"', *flow("values = [1, 1.5, 2]"), *HEAT, "[analysis]", 'base = { factor = "inflator.0.temperature", level = "40" }')),
@@ -219,7 +221,7 @@ def test_study_bad_seeds():
     refused("study.design: has 24 points or more of 1000000 runs each", "study run plan.toml --out none")
     bag_plan(4, "[stop]", 'quantity = "peak_pressure_Pa"', "standard_error = 1")
     for setting, says in (("seeds = 5", "factor.0.level.0.seeds: is 5, allowed: a whole number from 1 to 4"),
-                          ('set = ["membrane.perturbation=1e-3"]', 'level.0.set: holds "membrane.perturbation=1e-3", but seeds set the perturbation'),
+                          ('set = ["membrane.perturbation=1e-3"]', 'level.0.set: has "membrane.perturbation=1e-3", but seeds set the perturbation'),
                           ("seeds = 2", 'stop: decides on seeds, but the level "yes" has some of its own')):
         change("plan.toml", ('^name = "yes"', rf"\g<0>\n{setting}"), to="bad.toml")
         refused(says, "study run bad.toml --out none")
@@ -227,17 +229,17 @@ def test_study_bad_seeds():
 
 def test_study_bad_folders():
     plan('quantities = ["final_angle_rad"]')
-    refused('plan.toml:3:1: study.quantities: holds "final_angle_rad", which the scene lacks', "study run plan.toml --out none")
+    refused('plan.toml:3:1: study.quantities: has "final_angle_rad", which the scene does not have', "study run plan.toml --out none")
     plan(case="none.toml")
     refused("none.toml: no such file", "study run plan.toml --out none")
     tank_plan()
     for share in ("0/3", "4/3", "1", "1/0", "a/b", "1/2/3"):
-        refused(f"--share {share}: NUMBER/COUNT", f"study run plan.toml --share {share}")
+        refused(f"--share {share}: is not NUMBER/COUNT", f"study run plan.toml --share {share}")
     for command in ("study run", "ladder --quantity pressure", "ensemble", "cost"):
         refused("/dev/null: is not a regular file: .* copy it to a file first", f"{command} /dev/null --out none")
-    refused("holds no plan.toml", "study merge cases")
+    refused("has no plan.toml: name a folder of", "study merge cases")
     expect(0, "1 points, 0 factors, 1 runs", "study run plan.toml --check")
     # One folder, one plan.
     ok("study run plan.toml --out one")
     tank_plan(*flow("values = [0.1, 0.2]"), to="other.toml")
-    expect(2, "is another plan than", "study run other.toml --out one")
+    expect(2, "is another plan than .*: name another folder", "study run other.toml --out one")

@@ -59,7 +59,7 @@ def test_fields():
     ok(short)
     assert sorted(os.listdir("fields")) == ["bag_00001.vtp", "bag_notes.vtp", "check.json", "energy.csv", "frames.bin", "gasjet.status",
                                             "history.csv", "summary.json"]
-    expect(3, "bag_00001.vtp is there, and gasjet has not written it: move it away", f"{short} --set output.fields_every=1e-4")
+    expect(3, "bag_00001.vtp exists, but gasjet did not write it: move it away", f"{short} --set output.fields_every=1e-4")
     assert read("fields/bag_00001.vtp") == "\n"
 
 
@@ -68,13 +68,13 @@ def test_lost_output():
     for name, command in (("history", "run"), ("ladder", "ladder --quantity pressure")):
         shutil.copy("cases/tank_test_curves.csv", f"own/{name}.csv")
         change("cases/tank_identified.toml", ("tank_test_curves", name), to=f"own/{name}.toml")
-        refused(f"--out own: holds files, and gasjet {command.split()[0]} has not made it", f"{command} own/{name}.toml --out own")
+        refused(f"--out own: contains files, but gasjet {command.split()[0]} did not create it", f"{command} own/{name}.toml --out own")
         assert read(f"own/{name}.csv") == read("cases/tank_test_curves.csv")
     ok(f"run {TANK} --out used --quiet")
     change("cases/tank_identified.toml", ("tank_test_curves", "used/history"), to="used.toml")
     refused("--out used/history.csv: would overwrite", "run used.toml --out used", "--set", 'inflator.0.mass_flow={file="used/history.csv",column="inflow_kg_s"}')
     os.makedirs("way/summary.json")
-    expect(2, "--out .*way: summary.json is there, and gasjet has not written it", f"run {TANK} --out way")
+    expect(2, "--out .*way: summary.json exists, but gasjet did not write it", f"run {TANK} --out way")
     expect(3, "jet_force_N is not a finite number", "run cases/plate_jet.toml --out inf --set inflator.0.mass_flow=1e300")
     assert not re.search("(?i)'-?(nan|inf)", str([list(row.values()) for row in table("inf/history.csv")]))
     expect(0, "too coarse", "run cases/plate_jet.toml --out coarse --set target.rows=6 --set target.columns=6")
@@ -224,7 +224,7 @@ def test_exact():
             ("no_such", "no_such"), ("; is 'blowdown' meant.$", "blowdow"), ("'nan' is not a finite number", "tank_fill --set volume=nan"),
             ("given twice", "tank_fill --set volume=1 --set volume=2"), ("--list: prints the whole catalogue", "tank_fill --list"),
             ("--format csv: prints one NAME; for --list use markdown or json", "--list --format csv"),
-            ("--times.*is empty, first:last:step is needed", "tank_fill --times="), ("--times.*is empty", "--list --times="),
+            ("--times.*is empty, needed: first:last:step", "tank_fill --times="), ("--times.*is empty", "--list --times="),
             ("prints --list only", "tank_fill --format markdown"), ("patch_angle", "pressed_balloon --times 1e-300"),
             ("overpressure", "pressed_balloon --set young_modulus=3"), ("no_such_parameter", "tank_fill --set no_such_parameter=1")):
         refused(pattern, f"exact {command}")

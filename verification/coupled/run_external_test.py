@@ -83,11 +83,11 @@ def test_external_tolerances():
     assert has("judged/junit.xml", '<failure type="outside"') and load("judged/report.json")["verdict"] == "outside"
     judge_by(1, "  outside: gas_mass_kg: ", "*,inflow_kg_s,0.01", "tank_blowdown,*,1e-5")
     for row, pattern in (("tank_fil,*,0", "3:1: scene: no scene"), ("tank_fill,vent_outflow_kg_s,0", "3:11: column: no column .* of tank_fill"),
-                         ("*,pressure,0", "3:3: column: no column .* of any"), ("*,*,nan", "3:5: tolerance: .*a share from 0 to 1"),
+                         ("*,pressure,0", "3:3: column: no column .* of any"), ("*,*,nan", "3:5: tolerance: .* is not a share from 0 to 1"),
                          ("*,*,2", "3:5: tolerance"), ("*,*", "3:1: has 2 fields")):
         judge_by(2, f"tolerances.csv:{pattern}", "*,*,0", row)
     judge_by(2, "tolerances.csv:1:1: is empty", head="")
-    judge_by(2, "tolerances.csv:1:1: the header scene,column,tolerance is needed", head="scene,tolerance")
+    judge_by(2, "tolerances.csv:1:1: needed: the header scene,column,tolerance", head="scene,tolerance")
     external(2, "no such file", "--tolerances", "none.csv", TANK)
 
 

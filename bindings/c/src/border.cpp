@@ -47,7 +47,7 @@ int fail_by_exception() noexcept {
   } catch (const Failure& failure) {
     return fail(failure.status, failure.what());
   } catch (const std::bad_alloc&) {
-    return fail(GASJET_FAILED, "memory: is exhausted, allowed: a smaller problem");
+    return fail(GASJET_FAILED, "memory: is exhausted; use a smaller problem");
   } catch (const std::invalid_argument& error) {
     return fail(GASJET_BAD_INPUT, error.what());
   } catch (const std::runtime_error& error) {

@@ -59,7 +59,7 @@ def as_numbers(given: Any, name: str) -> np.ndarray:
         _refuse_masks(given, name)
         return array.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
-        raise TypeError(f"{name}: are no real numbers, allowed: an array of float64") from None
+        raise TypeError(f"{name}: are not real numbers, allowed: an array of float64") from None
 
 
 def as_column(given: Any, name: str) -> np.ndarray:

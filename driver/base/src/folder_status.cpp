@@ -47,7 +47,7 @@ std::optional<FolderStatus> read_status(const std::filesystem::path& folder) {
   FolderStatus status{"", "", "running", {}};
   std::string line;
   if (std::getline(stream, line) && line != status_head)
-    throw OutputError(fmt::format("{}: is no status file of gasjet, move it away", file.string()));
+    throw OutputError(fmt::format("{}: is not a status file of gasjet: move it away", file.string()));
   while (std::getline(stream, line) && !stream.eof()) {  // a line without its end is torn
     const auto value = [&](std::string_view key) { return line.substr(std::min(key.size(), line.size())); };
     if (line.starts_with("command: ")) status.command = value("command: ");
@@ -72,18 +72,17 @@ std::optional<FolderStatus> status_listing(const std::filesystem::path& file) {
 
 void require_finished(const std::filesystem::path& file, const FolderStatus& status, const std::string& own) {
   if (status.status == "running")
-    throw CaseError(fmt::format(
-        "{}: its run has not ended ({} says so): wait for its end; if it was killed, run it again",
-        file.string(), status_file));
+    throw CaseError(
+        fmt::format("{}: its run has not ended (see {}): wait for its end; if it was killed, run it again",
+                    file.string(), status_file));
   if (status.status == "interrupted" && status.files.contains(journal_file))
     throw CaseError(
-        fmt::format("{}: was interrupted before all runs were done ({} says so): the same command goes on "
-                    "from there",
+        fmt::format("{}: was interrupted before all runs were done (see {}): run the same command to "
+                    "continue",
                     file.string(), status_file));
   if (own != status.run)
-    throw CaseError(
-        fmt::format("{}: is of the run '{}', its folder is of '{}' ({} says so): run the case again",
-                    file.string(), own, status.run, status_file));
+    throw CaseError(fmt::format("{}: is of the run '{}', but its folder of '{}' (see {}): run the case again",
+                                file.string(), own, status.run, status_file));
 }
 
 }  // namespace
@@ -94,7 +93,8 @@ void require_whole(const std::filesystem::path& file) {
   if (!status) return;
   require_finished(file, *status, run_of(file));
   if (is_torn(file))
-    throw CaseError(fmt::format("{}: its last row has no end of line: the file is cut", file.string()));
+    throw CaseError(
+        fmt::format("{}: its last row has no end of line: the file is incomplete", file.string()));
 }
 
 void require_whole(const std::filesystem::path& file, const std::string& own) {

@@ -33,9 +33,10 @@ void ResultFolder::require_free(const std::filesystem::path& folder, const std::
   const auto status = read_status(folder);
   const bool is_made = status && !status->run.empty();
   if (is_made && status->command != command)
-    refuse(folder, fmt::format("holds the results of gasjet {}: name another folder", status->command));
+    refuse(folder, fmt::format("contains the results of gasjet {}: name another folder", status->command));
   if (!is_made && !is_known && holds_files(folder))
-    refuse(folder, fmt::format("holds files, and gasjet {} has not made it: name another folder", command));
+    refuse(folder,
+           fmt::format("contains files, but gasjet {} did not create it: name another folder", command));
 }
 
 ResultFolder::ResultFolder(std::filesystem::path folder, std::string command, bool is_known)
@@ -134,7 +135,7 @@ std::filesystem::path ResultFolder::add(const std::string& name) {
   if (listed_.contains(name)) return path_ / name;
   if (std::error_code ignored;
       std::filesystem::exists(std::filesystem::symlink_status(path_ / name, ignored)))
-    refuse(path_, fmt::format("{} is there, and gasjet has not written it: move it away", name));
+    refuse(path_, fmt::format("{} exists, but gasjet did not write it: move it away", name));
   listed_.insert(name);
   mark(fmt::format("file: {}\n", name), false);
   return path_ / name;

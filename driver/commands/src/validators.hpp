@@ -33,7 +33,7 @@ inline const CLI::Validator not_negative =
     within(0.0, std::numeric_limits<double>::max(), "a finite number from 0");
 
 inline CLI::Validator not_empty(const std::string& needed) {
-  const std::string fault = "is empty, " + needed + " is needed";
+  const std::string fault = "is empty, needed: " + needed;
   return {[fault](std::string& text) { return text.empty() ? fault : std::string(); }, ""};
 }
 inline const CLI::Validator named = not_empty("a name");

@@ -25,7 +25,7 @@ constexpr double at_ambient = 1e-7;  // of the ambient pressure: from there on a
 void need_size(LadderResult& result, double value, const char* where) {
   if (std::abs(value - result.zero) <= at_ambient * std::abs(result.zero))
     result.reason = fmt::format(
-        "{} is {:g} in {}, the value that it counts from: no tolerance is a share of that; "
+        "{} is {:g} in {}, its zero, so no tolerance can be a share of it: "
         "choose a quantity that ends elsewhere, or a peak",
         result.quantity, result.zero, where);
 }

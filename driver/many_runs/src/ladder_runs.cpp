@@ -173,7 +173,7 @@ void RungRuns::collect(std::size_t index) {
 void RungRuns::need(const std::string& name, const Sample& sample) {
   const auto failure = sample.failure();
   if (interrupted() || failure.empty()) return;
-  const auto message = fmt::format("{}, to which all are compared: {}", name, failure);
+  const auto message = fmt::format("{}, the reference of all others: {}", name, failure);
   if (!sample.no_event()) throw std::runtime_error(message);
   if (result_.reason.empty()) result_.reason = message;
 }

@@ -77,7 +77,7 @@ double integral(const std::vector<std::vector<double>>& rows, std::size_t at) {
   return sum;
 }
 
-// Name of a value that is no finite number; empty if there is none.
+// Name of a value that is not a finite number; empty if there is none.
 std::string no_number(const Scene& scene, const RecordedRun& run) {
   const auto is_number = [](const std::optional<double>& value) { return !value || std::isfinite(*value); };
   const auto place = [&](const auto& values) {
@@ -128,7 +128,7 @@ std::string quantity_name(const Scene& scene, const std::string& quantity) {
     if (name.starts_with(quantity + '_')) found.push_back(name);
   }
   if (found.size() != 1)
-    throw CaseError(fmt::format("--quantity {}: {}, allowed are {}", quantity,
+    throw CaseError(fmt::format("--quantity {}: {}, allowed: {}", quantity,
                                 found.empty() ? "the scene has none of that name" : "is more than one",
                                 fmt::join(found.empty() ? names : found, ", ")));
   return found.front();
@@ -160,7 +160,7 @@ RecordedRun record_run(const Scene& scene) {
   if (run.outcome.status != RunStatus::done) return run;
   if (const std::string name = no_number(scene, run); !name.empty()) {
     run.outcome.status = RunStatus::failed;
-    run.outcome.message = fmt::format("{} is no finite number", name);
+    run.outcome.message = fmt::format("{} is not a finite number", name);
   }
   return run;
 }

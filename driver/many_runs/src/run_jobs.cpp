@@ -126,8 +126,9 @@ void do_job(const RunCase& of, const RunJob& job, ScenePool& scenes,
       if (run.outcome.status == RunStatus::interrupted) break;
       record = record_of(of, *scene, std::move(run), number);
     } catch (const std::bad_alloc& error) {
-      throw std::runtime_error(fmt::format("{}, seed {}: {}: with more of it the same command goes on",
-                                           job.name, seed, text_of(error)));
+      throw std::runtime_error(
+          fmt::format("{}, seed {}: {}. Run the same command with more memory to continue", job.name, seed,
+                      text_of(error)));
     } catch (const std::exception& error) {
       if (!of.keeps_refusals || !is_of_the_values(error)) throw;
       record = {.number = number, .status = "refused", .message = text_of(error), .values = {}};
@@ -180,7 +181,7 @@ void compute_runs(Crew& crew, const RunBatch& batch, RunJournal& journal) {
 
 void tell_start(const std::string& title, const RunJournal& journal, bool quiet) {
   if (!quiet && !journal.runs().empty())
-    tell(fmt::format("{}: goes on after {} runs that are done", title, journal.runs().size()));
+    tell(fmt::format("{}: continues after {} finished runs", title, journal.runs().size()));
 }
 
 }  // namespace driver

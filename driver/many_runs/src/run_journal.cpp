@@ -17,7 +17,7 @@ using RunJson = nlohmann::json;
 
 CaseError damaged(const std::string& place) {
   return CaseError(fmt::format(
-      "{}: is damaged: no run of the plan; remove the line, and the same command computes the run again",
+      "{}: is damaged, not a run of the plan: remove the line and run the same command to compute it again",
       place));
 }
 
@@ -84,8 +84,8 @@ void RunJournal::read_line(const std::string& line, const std::filesystem::path&
   } else if (auto run = record_of_line(line, shape_)) {
     if (!read.has_head)
       throw CaseError(
-          fmt::format("{}: a run, but no line before it says of which files: an earlier version has "
-                      "written it; use another folder",
+          fmt::format("{}: is a run without a line before it that names its files, from an earlier "
+                      "version: use another folder",
                       place()));
     const long number = run->number;
     runs_.try_emplace(number, std::move(*run));

@@ -39,7 +39,7 @@ Share share_of(const std::string& text) {
   };
   if (slash != std::string::npos) share = {number(text.substr(0, slash)), number(text.substr(slash + 1))};
   if (slash == std::string::npos || share.number < 1 || share.number > share.count)
-    throw CaseError(fmt::format("--share {}: NUMBER/COUNT with 1 <= NUMBER <= COUNT is allowed", text));
+    throw CaseError(fmt::format("--share {}: is not NUMBER/COUNT with 1 <= NUMBER <= COUNT", text));
   return share;
 }
 

@@ -59,8 +59,8 @@ void keep_plan(const StudyPlan& plan, const std::filesystem::path& folder) {
   if (std::filesystem::exists(copy, error)) {
     CaseDocument other(copy, {});
     if (other.text(folder) != text)
-      throw OutputError(fmt::format("{}: is another plan than {}: another folder is allowed", copy.string(),
-                                    plan.file.string()));
+      throw OutputError(
+          fmt::format("{}: is another plan than {}: name another folder", copy.string(), plan.file.string()));
     return;
   }
   replace_file(copy, text);

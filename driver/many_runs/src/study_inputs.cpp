@@ -20,12 +20,12 @@ void StudyInputs::check(const std::vector<std::filesystem::path>& files) {
     if (known == list_.end()) {
       if (digits) list_.push_back({file, *digits});  // what reads it says that it cannot be read
     } else if (!digits) {
-      throw FileError(
-          fmt::format("{}: can no longer be read: when it can, the same command goes on", file.string()));
+      throw FileError(fmt::format(
+          "{}: is no longer readable: restore it and run the same command to continue", file.string()));
     } else if (*digits != known->digits) {
       throw FileError(
-          fmt::format("{}: changed while the study ran: the runs so far are kept; with the file as it "
-                      "was the same command goes on, for another case use another folder",
+          fmt::format("{}: changed while the study ran, finished runs are kept: restore it and run the "
+                      "same command to continue, or use another folder for another case",
                       file.string()));
     }
   }

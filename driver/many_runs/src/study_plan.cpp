@@ -31,7 +31,7 @@ std::vector<std::string> overrides_of(TableReader& table) {
 void refuse_perturbation(TableReader& table, const char* key, const std::vector<std::string>& overrides) {
   for (const auto& text : overrides)
     if (text.starts_with("membrane.perturbation"))
-      table.fail(key, fmt::format("holds \"{}\", but seeds set the perturbation (amplitude)", text));
+      table.fail(key, fmt::format("has \"{}\", but seeds set the perturbation (amplitude)", text));
 }
 
 void read_levels(TableReader& table, StudyFactor& factor, int seeds) {
@@ -45,7 +45,7 @@ void read_levels(TableReader& table, StudyFactor& factor, int seeds) {
     reader.finish();
     factor.levels.push_back(std::move(level));
   }
-  if (factor.levels.empty()) table.fail("key", "is missing, a key or [[factor.level]] is needed");
+  if (factor.levels.empty()) table.fail("key", "is missing, needed: a key or [[factor.level]]");
 }
 
 void read_range(TableReader& table, StudyFactor& factor) {
@@ -96,10 +96,9 @@ void require_own_keys(TableReader& table, const std::vector<StudyFactor>& factor
     for (const auto& earlier : paths_of(factors[f]))
       for (const auto& path : later)
         if (path.size() <= earlier.size() && std::equal(path.begin(), path.end(), earlier.begin(), is_same))
-          table.fail(
-              factors.back().key.empty() ? "" : "key",
-              fmt::format("sets again what {} sets: a key of its own is needed, or levels that set both",
-                          factors[f].name));
+          table.fail(factors.back().key.empty() ? "" : "key",
+                     fmt::format("sets again what {} sets: use another key, or levels that set both",
+                                 factors[f].name));
 }
 
 void read_factors(TableReader& root, StudyPlan& plan) {
@@ -129,7 +128,7 @@ void check_names(TableReader& root, const StudyPlan& plan) {
   for (std::size_t f = 0; f < tables.size(); ++f)
     if (columns.contains(plan.factors[f].name))
       tables[f].fail(tables[f].has("name") ? "name" : "key",
-                     fmt::format("is \"{}\", which is another column of the results: another name is needed",
+                     fmt::format("is \"{}\", which is another column of the results: use another name",
                                  plan.factors[f].name));
 }
 
@@ -212,18 +211,18 @@ std::vector<std::string> quantities_of(TableReader& table, const Scene& scene) {
   for (const auto& name : given)
     if (std::ranges::find(names, name) == names.end())
       table.fail("quantities",
-                 fmt::format("holds \"{}\", which the scene lacks; allowed are {}, and max(), min() "
+                 fmt::format("has \"{}\", which the scene does not have; allowed: {}, and max(), min() "
                              "and integral() of a column of the history",
                              name, shown));
   for (auto name = given.begin(); name != given.end(); ++name)
     if (std::find(given.begin(), name, *name) != name)
-      table.fail("quantities", fmt::format("holds \"{}\" twice", *name));
+      table.fail("quantities", fmt::format("has \"{}\" twice", *name));
   return given;
 }
 
 void check_perturbation(TableReader& table, const StudyPlan& plan, const Scene& scene) {
   if (plan.seeds == 0) return;
-  if (!scene.bag) table.fail("seeds", "perturb the nodes of a membrane, the scene has none");
+  if (!scene.bag) table.fail("seeds", "perturb the nodes of a membrane, but the scene has none");
   refuse_perturbation(table, "set", plan.overrides);
 }
 

@@ -19,7 +19,9 @@ std::size_t factor_named(TableReader& table, const char* key, const StudyPlan& p
   if (found != plan.factors.end()) return static_cast<std::size_t>(found - plan.factors.begin());
   std::vector<std::string> names;
   for (const auto& factor : plan.factors) names.push_back(factor.name);
-  table.fail(key, fmt::format("is \"{}\", a factor is needed: {}", name, fmt::join(names, ", ")));
+  table.fail(key, names.empty() ? fmt::format("is \"{}\", but the plan has no factors", name)
+                                : fmt::format("is \"{}\", allowed: one of the factors {}", name,
+                                              fmt::join(names, ", ")));
 }
 
 // Base of each point: all its levels but one are the same.
@@ -59,7 +61,7 @@ void read_base(TableReader& analysis, StudyPlan& plan) {
   table->finish();
   set_bases(plan);
   if (std::ranges::none_of(plan.bases, [](const auto& base) { return base.has_value(); }))
-    analysis.fail("base", fmt::format("pairs no points: two are needed that differ in {} alone, as in a grid",
+    analysis.fail("base", fmt::format("pairs no points: it needs two that differ in {} only, as in a grid",
                                       factor.name));
 }
 
@@ -96,10 +98,10 @@ void check_surface(TableReader& table, const StudyPlan& plan) {
                fmt::format("has {} terms at {} points, allowed for this number of terms: at most {} points",
                            terms, plan.points.size(), most_cells / terms));
   if (!has_full_rank(*scaled_points(plan), terms))
-    table.fail(key,
-               fmt::format("has {} terms that the points do not tell apart: three values or more of each "
-                           "factor are needed, and points that vary them in turn",
-                           terms));
+    table.fail(
+        key, fmt::format("has {} terms that the points do not distinguish: use three or more values of each "
+                         "factor, and points that vary them in turn",
+                         terms));
 }
 
 void read_convergence(TableReader& table, StudyPlan& plan) {
@@ -107,10 +109,10 @@ void read_convergence(TableReader& table, StudyPlan& plan) {
   const auto& levels = plan.factors[*plan.convergence].levels;
   if (levels.size() < 3 ||
       !std::ranges::all_of(levels, [](const auto& level) { return level.number.value_or(0.0) > 0.0; }))
-    table.fail("convergence", "needs a factor with 3 or more values above 0: sizes");
+    table.fail("convergence", "needs a factor with 3 or more sizes above 0");
   for (const auto& [others, points] : size_groups(plan))
     if (points.size() >= 3) return;
-  table.fail("convergence", "needs 3 points or more that differ in the size alone, as in a grid");
+  table.fail("convergence", "needs 3 points or more that differ in the size only, as in a grid");
 }
 
 void read_tables(TableReader& root, StudyPlan& plan) {
@@ -132,12 +134,13 @@ void read_stop(TableReader& root, StudyPlan& plan) {
   StudyStop stop;
   stop.quantity = table->at("quantity").text();
   if (std::ranges::find(plan.quantities, stop.quantity) == plan.quantities.end())
-    table->fail("quantity", fmt::format("is \"{}\", one of the study's is needed: {}", stop.quantity,
+    table->fail("quantity", fmt::format("is \"{}\", allowed: one of the study's quantities {}", stop.quantity,
                                         fmt::join(plan.quantities, ", ")));
   stop.standard_error = table->at("standard_error").optional_number(positive);
   stop.error_rate = table->at("sign_error_rate").optional_number(rate);
   if (stop.standard_error.has_value() == stop.error_rate.has_value())
-    table->fail("standard_error", "or sign_error_rate is needed, one of the two");
+    table->fail("standard_error", stop.error_rate ? "is given with sign_error_rate: leave out one of the two"
+                                                  : "is missing, needed: it or sign_error_rate");
   if (stop.error_rate && !plan.base) table->fail("sign_error_rate", "needs [analysis.base]");
   if (plan.seeds < 4) table->fail("", "needs study.seeds of 4 or more: runs of the first look");
   for (const auto& factor : plan.factors)

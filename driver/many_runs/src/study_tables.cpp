@@ -158,7 +158,7 @@ StudySummary merge_study(const std::filesystem::path& folder) {
   std::error_code ignored;
   if (!std::filesystem::exists(folder / plan_copy, ignored))
     throw CaseError(
-        fmt::format("{}: holds no {}, a folder of `gasjet study run` is needed", folder.string(), plan_copy));
+        fmt::format("{}: has no {}: name a folder of `gasjet study run`", folder.string(), plan_copy));
   const StudyPlan plan = read_study(folder / plan_copy);
   RunJournal journal(shape_of(plan), study_inputs(plan, folder));
   journal.read_shares(folder, "");

@@ -58,7 +58,7 @@ std::string sentence(const StudyPlan& plan, const RunJournal::Runs& runs, const 
         left.furthest, left.where);
   if (left.open_points > 0)
     text +=
-        fmt::format("; fewer than two other runs at {} of these points: nothing tells how far its mean moves",
+        fmt::format("; fewer than two other runs at {} of these points: how far its mean moves is unknown",
                     left.open_points);
   return text;
 }

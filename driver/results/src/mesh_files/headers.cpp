@@ -82,7 +82,7 @@ class Header {
     if (second == "list") {
       std::string length;
       words >> length >> type;
-      if (!small.contains(length)) fail(line_, "a list whose length is no uchar or ushort is not supported");
+      if (!small.contains(length)) fail(line_, "the length of a list must be uchar or ushort");
     }
     words >> name;
     if (!words) fail(line_, "a property has a type and a name");
