@@ -34,6 +34,8 @@ target_compile_options(gasjet_options INTERFACE
   -ffp-contract=off -fno-math-errno -fno-trapping-math
   # Eigen's sums have one order on every processor. The layout of its types stays that of its default.
   -DEIGEN_DONT_VECTORIZE -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MAX_STATIC_ALIGN_BYTES=16
+  # gcc collects no garbage below a gigabyte: a tenth of the compile time, the same code.
+  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1048576>
   $<$<BOOL:${GASJET_WERROR}>:-Werror>
   $<$<BOOL:${GASJET_SANITIZE}>:-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer>
   # What these three see AddressSanitizer stops at too, but for alignment; they take a third of the build.
