@@ -96,7 +96,27 @@ std::vector<Entry> jets() {
           .results(sonic_outlet, {{"velocity_m_s", &OutletState::velocity},
                                   {"density_kg_m3", &OutletState::density},
                                   {"momentum_flux_N", &OutletState::momentum_flux},
-                                  {"static_pressure_Pa", &OutletState::static_pressure}})};
+                                  {"static_pressure_Pa", &OutletState::static_pressure}}),
+      Form<ExpandedOutlet>(
+          "expanded_outlet", "Notional nozzle of an underexpanded outlet over n = pe/p",
+          "V = V0 + (pe - p) A/mdot; T = T_s - V^2/(2 cp); rho = p/(R T); mdot = rho V A_n; load on a plate "
+          "mdot V0 + (pe - p) A + e mdot V0",
+          "derived here from mass, momentum and energy", "n >= 1; sonic outlet; e >= -1", 15)
+          .fields(gas())
+          .field(&ExpandedOutlet::stagnation_temperature, "stagnation_temperature", "T_s", "K", 700.0,
+                 "of the inflator's gas")
+          .field(&ExpandedOutlet::area, "area", "A", "m2", 5e-3, "area of the outlet")
+          .field(&ExpandedOutlet::bag_pressure, "bag_pressure", "p", "Pa", 101325.0,
+                 "absolute, around the outlet")
+          .number("restitution", "e", "1", 1.0, "1 reflection, 0 deflection into the plate")
+          .over("pressure_ratio", range(1.0, 5.0, 8), &ExpandedOutlet::pressure_ratio)
+          .results(expanded_outlet, {{"mass_flow_kg_s", &NotionalNozzle::mass_flow},
+                                     {"velocity_m_s", &NotionalNozzle::velocity},
+                                     {"density_kg_m3", &NotionalNozzle::density},
+                                     {"temperature_K", &NotionalNozzle::temperature},
+                                     {"area_ratio", &NotionalNozzle::area_ratio},
+                                     {"thrust_N", &NotionalNozzle::thrust}})
+          .result("plate_load_N", with(plate_load, itself, "restitution"))};
 }
 
 std::vector<Entry> jet_targets() {

@@ -101,6 +101,35 @@ OutletState sonic_outlet(const SonicOutlet& outlet) {
   return state;
 }
 
+NotionalNozzle expanded_outlet(const ExpandedOutlet& outlet) {
+  check::gas(outlet.gas);
+  check::positive("stagnation_temperature", outlet.stagnation_temperature, "area", outlet.area,
+                  "bag_pressure", outlet.bag_pressure);
+  const double n = outlet.pressure_ratio;
+  if (!(n >= 1.0 && std::isfinite(n))) check::refuse("pressure_ratio", n, "must be finite and >= 1");
+  const auto [R, gamma] = outlet.gas;
+  const double throat = 2.0 / (gamma + 1.0);                                   // T0/T_s
+  const double faster = 1.0 + (1.0 - 1.0 / n) / gamma;                         // V/V0
+  const double cooled = 1.0 - 0.5 * (gamma - 1.0) * throat * faster * faster;  // T/T_s
+  const double sonic = std::sqrt(gamma * R * throat * outlet.stagnation_temperature);
+  NotionalNozzle nozzle;
+  nozzle.mass_flow = gamma * n * outlet.bag_pressure * outlet.area / sonic;
+  nozzle.velocity = faster * sonic;
+  nozzle.temperature = cooled * outlet.stagnation_temperature;
+  nozzle.density = outlet.bag_pressure / (R * nozzle.temperature);
+  nozzle.area_ratio = n * cooled / (throat * faster);
+  nozzle.thrust = outlet.bag_pressure * outlet.area * (n * (1.0 + gamma) - 1.0);
+  return nozzle;
+}
+
+double plate_load(const ExpandedOutlet& outlet, double restitution) {
+  if (!(restitution >= -1.0 && std::isfinite(restitution)))
+    check::refuse("restitution", restitution, "must be finite and >= -1");
+  const double turned_back = outlet.gas.heat_capacity_ratio * outlet.pressure_ratio * outlet.bag_pressure *
+                             outlet.area;  // mdot V0 = gamma pe A
+  return expanded_outlet(outlet).thrust + restitution * turned_back;
+}
+
 double plate_force(double reflection, double momentum_flux) {
   check::within("reflection", reflection, 1.0, 2.0);
   return reflection * check::non_negative("momentum_flux", momentum_flux);

@@ -104,6 +104,31 @@ struct OutletState {
 /// temperature: isentropic flow, textbook result.
 OutletState sonic_outlet(const SonicOutlet& outlet);
 
+/// Sonic outlet with gas from rest, at a pressure above that around it.
+struct ExpandedOutlet {
+  PerfectGas gas;                             // of the inflator
+  double stagnation_temperature = kRequired;  // [K] T_s > 0
+  double area = kRequired;                    // [m2] A > 0
+  double bag_pressure = kRequired;            // [Pa] p > 0, around the outlet
+  double pressure_ratio = kRequired;          // [-] n = pe/p >= 1, pe in the outlet
+};
+/// Uniform flow at bag pressure with the outlet's mass, momentum and stagnation enthalpy.
+struct NotionalNozzle {
+  double mass_flow = 0.0;    // [kg/s] mdot
+  double velocity = 0.0;     // [m/s] V
+  double density = 0.0;      // [kg/m3] p/(R T)
+  double temperature = 0.0;  // [K] static
+  double area_ratio = 0.0;   // [-] over the outlet's area
+  double thrust = 0.0;       // [N] mdot V0 + (pe - p) A
+};
+/// State of the notional nozzle: V/V0 = 1 + (1 - 1/n)/gamma, T/T_s = 1 - (gamma-1)/(gamma+1) (V/V0)^2, area
+/// ratio n (T/T0) V0/V, thrust p A (n (1 + gamma) - 1); V0 and T0 are the sonic outlet's. Source: balances of
+/// mass, momentum and energy between outlet and nozzle, p on all other sides; derived here.
+NotionalNozzle expanded_outlet(const ExpandedOutlet& outlet);
+/// Force [N] of that jet on an unbounded plate normal to it: thrust + e mdot V0 with the restitution
+/// e >= -1 [-]. Source: definition.
+double plate_load(const ExpandedOutlet& outlet, double restitution);
+
 /// Force [N] on an unbounded plate normal to the jet, c J with J = rho0 V0^2 A [N]. c = 1 is deflection,
 /// c = 2 complete reflection.
 double plate_force(double reflection, double momentum_flux);
