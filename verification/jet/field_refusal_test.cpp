@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -54,6 +55,48 @@ TEST(field, outlet_that_is_negative_or_no_number_is_refused) {
       EXPECT_TRUE(state.candidates.empty());
       EXPECT_EQ(std::count(state.overpressure.begin(), state.overpressure.end(), 0.0), plate.count());
     }
+}
+
+TEST(field, ratios_and_restitution_out_of_range_are_refused_and_forgotten) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  const plates::Target plate = models::normal_plate(0.2, 0.001, 4);
+  const jet::JetField field(models::round(0.05, 0.08), plate.count());
+  const auto expect_refused = [&](const jet::OutletState& outlet, double restitution) {
+    jet::FieldState state = field.make_state(), fresh = field.make_state();
+    field.evaluate(plate.area_vectors, plate.centroids, models::kOutlet, fresh, nullptr, 0.0);
+    const jet::FieldState before = fresh;
+    state = fresh;
+    state.restitution = restitution;
+    EXPECT_THROW(field.needed(outlet, 0.0, state), jet::DomainError);
+    EXPECT_THROW(field.evaluate(plate.area_vectors, plate.centroids, outlet, state, nullptr, 0.0),
+                 jet::DomainError);
+    EXPECT_TRUE(state.candidates.empty());
+    EXPECT_EQ(std::count(state.overpressure.begin(), state.overpressure.end(), 0.0), plate.count());
+    EXPECT_EQ(state.size_ratio, before.size_ratio);
+    EXPECT_EQ(state.outline_motion, before.outline_motion);
+    state.restitution = 1.0;
+    field.evaluate(plate.area_vectors, plate.centroids, models::kOutlet, state, nullptr, 0.0);
+    EXPECT_EQ(state.overpressure, before.overpressure);
+  };
+  for (const auto member : {&jet::OutletState::area_ratio, &jet::OutletState::reflected})
+    for (const double bad : {0.0, -1.0, nan, infinity}) {
+      jet::OutletState outlet = models::kOutlet;
+      outlet.*member = bad;
+      expect_refused(outlet, 1.0);
+    }
+  for (const double bad : {std::nextafter(-0.5, -1.0), std::nextafter(4.0, 5.0), nan})
+    expect_refused(models::kOutlet, bad);
+  for (const double end : {-0.5, 4.0}) {  // each to a rounding of (1 + e) of the load with 0
+    jet::FieldState state = field.make_state(), zero = state;
+    state.restitution = end;
+    zero.restitution = 0.0;
+    field.evaluate(plate.area_vectors, plate.centroids, models::kOutlet, state);
+    field.evaluate(plate.area_vectors, plate.centroids, models::kOutlet, zero);
+    for (const int e : state.candidates)
+      EXPECT_DOUBLE_EQ(state.overpressure[static_cast<std::size_t>(e)],
+                       (1.0 + end) * zero.overpressure[static_cast<std::size_t>(e)]);
+  }
 }
 
 TEST(field, force_needs_one_area_vector_an_element) {

@@ -2,6 +2,7 @@
 // What a jet's description is checked for.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
@@ -34,7 +35,9 @@ TEST(model, wrong_members_are_refused_by_name) {
                           {"axis", [](auto& m) { m.axis[1] = kNan; }},
                           {"centre", [](auto& m) { m.centre[0] = kNan; }},
                           {"decay_coefficient", [](auto& m) { m.decay_coefficient = 0.0; }},
-                          {"restitution", [](auto& m) { m.restitution = 1.1; }},
+                          {"restitution", [](auto& m) { m.restitution = std::nextafter(4.0, 5.0); }},
+                          {"restitution", [](auto& m) { m.restitution = std::nextafter(-0.5, -1.0); }},
+                          {"restitution", [](auto& m) { m.restitution = kNan; }},
                           {"cut_off", [](auto& m) { m.cut_off = 1.0; }},
                           {"cone_initial_width", [](auto& m) { m.spread = jet::Spread::cone; }},
                           {"cone_half_angle", [](auto& m) {
@@ -52,6 +55,27 @@ TEST(model, wrong_members_are_refused_by_name) {
   expect_refused(wedge, {"long_side", [](auto& m) { m.long_side = kNan; }});
   expect_refused(wedge, {"short_side", [](auto& m) { std::swap(m.short_side, m.long_side); }});
   expect_refused(wedge, {"long_direction", [](auto& m) { m.long_direction = m.axis; }});
+}
+
+TEST(model, restitution_reaches_its_ends) {
+  for (const double end : {-0.5, 4.0}) {
+    jet::JetModel model = models::round(0.02, 0.08);
+    model.restitution = end;
+    EXPECT_EQ(jet::validated(model).restitution, end);
+    EXPECT_EQ(jet::JetField(model, 4).make_state().restitution, end);
+  }
+}
+
+TEST(model, widened_outlet_has_so_much_more_area) {
+  for (const jet::JetModel& model : {models::round(0.02, 0.08), models::rectangular(0.02, 0.2, 0.11)}) {
+    for (const double ratio : {0.7, 1.0, 3.0}) {
+      const jet::JetModel wider = jet::widened(model, ratio);
+      EXPECT_NEAR(jet::outlet_area(wider), ratio * jet::outlet_area(model), 1e-15 * ratio);
+      if (model.shape == jet::OutletShape::rectangular) {
+        EXPECT_EQ(wider.long_side, 0.2);
+      }
+    }
+  }
 }
 
 TEST(model, directions_are_normalised_and_unit_ones_kept_bit_for_bit) {

@@ -45,12 +45,12 @@ class JetField {
 
   /// Elements whose columns the next evaluate() with the same outlet and bound will read, in no order. Other
   /// columns may hold any numbers. Valid until that call. Throws std::invalid_argument for another field's
-  /// state.
+  /// state, and DomainError for an outlet or a restitution that evaluate() refuses.
   std::span<const int> needed(const OutletState& outlet, double displacement_bound, FieldState& state) const;
 
   /// Computes the overpressure dp = (1 + e V0/V) rho max(V . n, 0)^2 (J.6), with V at the centroid, n the
   /// unit vector of the area vector, and V0/V = outlet.reflected. The jet is as wide as widened() has it.
-  ///  `area_vectors` [m2] and `centroids` [m] are 3 x M and outward.
+  /// `area_vectors` [m2] and `centroids` [m] are 3 x M and outward.
   ///
   /// A candidate has V . n > 0 and an area > 0. Its centroid lies strictly downstream of the outlet's plane
   /// (z > 0) and within the cut-off. Without flow (density or velocity 0) there is no candidate.

@@ -59,7 +59,8 @@ struct JetModel {
 /// - a restitution, cut_off or angle out of range.
 JetModel validated(const JetModel& model);
 
-/// The model of a jet whose outlet has `area_ratio` times the area: a larger radius, or a larger short side.
+/// The model of a jet whose outlet has `area_ratio` > 0 times the area: a larger radius, or a larger short
+/// side. A cone begins wider by the same factor.
 JetModel widened(const JetModel& model, double area_ratio);
 
 /// Area of the outlet [m2], pi R0^2 or 2 b0 L.

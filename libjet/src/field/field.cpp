@@ -123,12 +123,11 @@ JetField::JetField(const JetModel& model, int element_count, std::span<const int
   shape_ = std::make_unique<const JetShape>(shape);
 }
 
-// No bound of the cut-off moves by more than this when the jet becomes wider or narrower.
+// The jets of all outlets are similar: no bound of the cut-off moves by more than that of the core.
 void JetField::widen(const OutletState& outlet, FieldState& state) const {
   const double ratio = shape_->round ? std::sqrt(outlet.area_ratio) : outlet.area_ratio;
   if (ratio == state.size_ratio) return;
-  state.outline_motion +=
-      std::max(shape_->cut_core, std::abs(shape_->cut_origin)) * std::abs(ratio - state.size_ratio);
+  state.outline_motion += shape_->cut_core * std::abs(ratio - state.size_ratio);
   state.size_ratio = ratio;
 }
 
@@ -160,6 +159,7 @@ std::span<const int> JetField::needed(const OutletState& outlet, double displace
                                       FieldState& state) const {
   require_own(state);
   move(displacement_bound, state);
+  check_outlet(outlet, state.restitution);
   if (no_flow(outlet)) return {};
   widen(outlet, state);
   FieldArrays arrays{};

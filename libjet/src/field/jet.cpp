@@ -97,8 +97,10 @@ JetModel validated(const JetModel& model) {
 
 JetModel widened(const JetModel& model, double area_ratio) {
   JetModel result = model;
-  result.radius *= std::sqrt(area_ratio);
-  result.short_side *= area_ratio;
+  const double larger = model.shape == OutletShape::round ? std::sqrt(area_ratio) : area_ratio;
+  result.radius *= larger;
+  result.short_side *= larger;
+  result.cone_initial_width *= larger;
   return result;
 }
 
