@@ -14,7 +14,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 CASES = ["cases/*.toml", "cases/reference/*.toml", "verification/rules/keys/*.toml"]
 HEAD = "| key | meaning | unit | allowed | default |"
-OF_A_CURVE = {"time", "overpressure", "strain", "value", "file", "time_column", "overpressure_column", "strain_column", "column"}
+OF_A_CURVE = {"time", "overpressure", "strain", "mass_ratio", "value", "file", "time_column", "overpressure_column", "strain_column",
+              "mass_ratio_column", "column"}
 
 
 def shown(allowed):

@@ -50,20 +50,14 @@ CurveData read_csv_curve(const std::filesystem::path& file, const std::string& k
   return curve;
 }
 
-// The unit of what a curve is against; a column of a file is named with it.
-const char* unit_of_abscissa(const std::string& abscissa) {
-  return abscissa == "time" ? "s" : abscissa == "overpressure" ? "Pa" : "";
-}
-
 CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string& abscissa,
                          const std::function<void(const std::string&)>& fail) {
   CurveData curve;
   const bool jumps = abscissa == "time";
-  const std::string unit = unit_of_abscissa(abscissa);
+  const char* unit = jumps ? "s" : abscissa == "overpressure" ? "Pa" : "";
   if (reader.has("file")) {
     const auto file = reader.beside_case(reader.at("file").text());
-    const auto knots =
-        reader.at(abscissa + "_column").text(unit.empty() ? abscissa : fmt::format("{}_{}", abscissa, unit));
+    const auto knots = reader.at(abscissa + "_column").text(*unit == '\0' ? abscissa : abscissa + "_" + unit);
     const auto column = reader.at("column").text();
     try {
       curve = read_csv_curve(file, knots, column, jumps);
@@ -75,7 +69,7 @@ CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string&
         fail(
             fmt::format("{} has {}, allowed: {}", file.string(), value, with_unit(bounds.text, bounds.unit)));
   } else {
-    curve.time = reader.at(abscissa).numbers(any_number.in(unit_of_abscissa(abscissa)));
+    curve.time = reader.at(abscissa).numbers(any_number.in(unit));
     curve.value = reader.at("value").numbers(bounds);
     check_knots(curve, jumps, [&](std::size_t, const std::string& message) { fail(message); });
   }
