@@ -84,6 +84,24 @@ std::vector<Entry> jets() {
                     "F''^2 = F F', f = F': F^(3/2) = 1 - f^(3/2)",
                     "W. Tollmien (1926); Beta functions derived here", "far field", 14)
           .results(tollmien_plane, tollmien_columns()),
+      Form<CompressibleJet>(
+          "witze_decay", "Centreline of a compressible round jet, over z/D",
+          "Vm/V0 = 1 - exp(-1/t), t = 2 kappa (z/D) sqrt(rho_inf/rho0) - 0.70 > 0; kappa = 0.08 (1 - 0.16 M) "
+          "(rho0/rho_inf)^0.22",
+          "P. O. Witze, AIAA J. 12(4), 1974, pp. 417-418, at second hand (Franquet and others, Prog. Aerosp. "
+          "Sci. 77, 2015; the sign of 0.22 from a published program alone)",
+          "0 <= M <= 1, given for M <= 0.81; not underexpanded; three measured jets to 4 to 10 % (r.m.s., 6 "
+          "to "
+          "20 D), one with M = 0.985",
+          15)
+          .field(&CompressibleJet::mach, "mach", "M", "1", 1.0, "Mach number of the outlet")
+          .field(&CompressibleJet::density_ratio, "density_ratio", "q", "1", 1.2,
+                 "density of the outlet over that of the surroundings; 1.2: sonic air from a supply as warm "
+                 "as they are")
+          .over("distance_over_diameter", range(0.0, 20.0, 20))
+          .result("centreline_ratio", witze_centreline_ratio)
+          .constant("core_over_diameter", witze_core_length)
+          .constant("decay_constant", witze_decay_constant),
       Form<SonicOutlet>(
           "sonic_outlet", "Sonic outlet state over mass flow",
           "V0 = sqrt((gamma-1) cp T_s), times sqrt(2/(gamma+1)) for stagnation T_s; rho0 = mdot/(A V0)",
