@@ -5,7 +5,7 @@
 
 namespace jet {
 
-/// Outlets with a tabulated decay coefficient a. The first three are round, the others are plane.
+/// Outlets with a tabulated decay coefficient a, of slow jets. The first three are round, the others plane.
 enum class OutletType {
   contracting_nozzle,  // 0.066 (to 0.071)
   cylindrical_tube,    // 0.08 (from 0.076)
