@@ -9,7 +9,8 @@
   jet_effect    README's figure and table: ensembles with and without jet, 32 runs each
   figure_3      Fig. 3 of the paper: mass flow of nitrogen at 673 K through 8.5 dm2 of hole, (G.6), and of porous fabric, (G.7). It
                 states neither ambient pressure nor porosity: 101325 Pa, and the fabric for the 0.05 of its scene and over eta^2
-  jet_decay     centreline decay, spreading and entrainment of the jet model against bands of measured jets (docs/theory/jet.md)
+  jet_decay     centreline decay, spreading and entrainment of the jet model against bands of measured jets (docs/theory/jet.md), and
+                against three measured jets, cold, hot and sonic (docs/theory/jet_decay.md)
   jet_push      restitution that computed flows in closed cavities have, from docs/data (docs/theory/jet_push.md)
   damaged       what damaged input does: an hour of the fuzzers, and 10,000 damaged cases by class
   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
@@ -29,6 +30,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "docs/make/charts"))
 import ablation  # noqa: E402
 import benchmarks  # noqa: E402
+import decay  # noqa: E402
 import detection  # noqa: E402
 import forecast  # noqa: E402
 import limits  # noqa: E402
@@ -155,6 +157,8 @@ def jet_decay():
     said = output(gasjet(), "exact", "jet_far_field", "--times", "0.06:0.125:0.001")
     (folder / "constants.csv").write_text(said, encoding="utf-8")
     draw("jet_decay", data=gnuplot_file(folder), out=gnuplot_file(OUT / "jet_decay.svg"))
+    for name, text in decay.tables().items():
+        keep(name, text, {} if name == "jet_decay_sonic" else None)
 
 
 def jet_push():

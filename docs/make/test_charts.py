@@ -11,6 +11,7 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs/make/charts"))
+import decay  # noqa: E402
 import forecast  # noqa: E402
 import studies  # noqa: E402
 from common import rows_of  # noqa: E402
@@ -35,6 +36,15 @@ def test_studies():
                   "2,gas = euler 1e-4,angle,0.45,0.03,1")
     assert list(studies.coupled_work_precision(means, timing))[2:] == ["step,0.8,angle,1.5,0.55,0.03,2,0.1,0.1", "step,0.2,angle,4,0.5,0.04,1,0,0.113",
                                                                        "gas,euler 1e-4,angle,0.5,0.45,0.03,1,0.1,0.1"]
+
+
+def test_decay():
+    """Off by 10 and -10 % within the range, and by much outside of it. At the outlet's velocity the width is sqrt(ln 2 / 2) diameters."""
+    assert decay.off({1: 9, 2: 1.1, 3: 0.45, 4: 0}, {1: 1, 2: 1, 3: 0.5, 4: 1}, 2, 3) == pytest.approx(0.1)
+    for row in list(decay.widths())[1:]:
+        point, density_ratio, x, _, width, by_density = map(float, row.split(","))
+        velocity = decay.measured()[next(key for key in decay.measured() if key[0] == f"{point:g}")][x]
+        assert width == pytest.approx(0.5887 / velocity, abs=1e-3) and by_density == pytest.approx(width * density_ratio ** 0.5, abs=1e-3)
 
 
 def test_forecast(tmp_path):
