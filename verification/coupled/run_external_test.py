@@ -55,17 +55,17 @@ sys.exit(77 if whole and ends == 4 and "jet_hidden_elements" in scene["columns"]
 
 
 @pytest.mark.parametrize("says, words", [
-    ("--timeout 0: a whole number", "--timeout 0 false"), ("no scene 'tank'", "--scenes tank false"),
+    ("--timeout 0: is not a whole number", "--timeout 0 false"), ("no scene 'tank'", "--scenes tank false"),
     ("needs the command", "--tolerance 0.1"), ("^run_external.py: unknown option --band; allowed before", "--band"),
     ("^run_external.py: no program '/no/such'", "/no/such"), ("--out /proc/none: the folder is not writable", "--out /proc/none false"),
-    *((f"^run_external.py: --tolerance {share}: a share from 0 to 1", f"--tolerance {share} false") for share in "nan inf -1 1.5 x".split())])
+    *((f"^run_external.py: --tolerance {share}: is not a share from 0 to 1", f"--tolerance {share} false") for share in "nan inf -1 1.5 x".split())])
 def test_external_options(says, words):
     external(2, says, *words.split())
 
 
 def test_external_surroundings():
     external(0, "^usage: run_external.py", "--help")
-    external(2, "--tolerance : a share from 0 to 1", "--tolerance", "", "false")
+    external(2, "--tolerance : is not a share from 0 to 1", "--tolerance", "", "false")
     external(2, "no program .*none: build it first, or name it by the variable GASJET", "false", gasjet="none")
 
 
