@@ -18,6 +18,7 @@ program bad_calls
   type(gasjet_fabric_model) :: fabric
   type(gasjet_gas_values) :: values
   type(gasjet_membrane_sums) :: sums
+  type(gasjet_outlet_state) :: state
   character(512) :: case_file
   integer :: calls = 0, i, k
 
@@ -66,6 +67,9 @@ program bad_calls
     call refused(gasjet_jet_pressure(jet, x, four, velocity=bad(i), density=1d0, occlusion=1, &
                                      displacement_bound=0d0, overpressure=p, overpressure_count=four, &
                                      force=force), 'velocity')
+    call refused(gasjet_outlet(GASJET_EXPANDED, 1d-3, 1d0, 300d0, 1039d0, 297d0, bad(i), state), 'bag_pressure')
+    call refused(gasjet_jet_expansion(jet, bad(i), 1d0, 1d0), 'area_ratio')
+    call refused(gasjet_jet_expansion(jet, 1d0, bad(i), 1d0), 'reflected')
     call refused(gasjet_membrane_evaluate(bag, x, four, gamma=1.4d0, pressure=bad(i), force=vectors, &
                                           vector_count=12_c_int64_t, sums=sums), 'pressure')
     if (i == 4) cycle
@@ -78,6 +82,10 @@ program bad_calls
                                         displacement_bound=0d0, lit=lit, lit_count=four), 'source.centre')
     source%centre = here
   end do
+  call refused(gasjet_jet_expansion(jet, 1d0, 1d0, 4.1d0), 'restitution')
+  call good(gasjet_jet_expansion(jet, 1.2d0, 0.9d0, bad(1)))
+  call good(gasjet_outlet(GASJET_EXPANDED, 1d-3, 1d0, 300d0, 1039d0, 297d0, 1d5, state))
+  if (state%pressure /= 1d5) error stop 'an expanded outlet is not at the pressure of the bag'
   do i = 1, size(counts)
     if (counts(i) /= four) then
       call refused(gasjet_surface_visible(skin, x, counts(i), source=source, candidate_count=none, &

@@ -87,6 +87,7 @@ class BadCalls(unittest.TestCase):
         outlet = dict(area=1.0, mass_flow=1.0, temperature=300.0, cp=1039.0, gas_constant=297.0)
         self.each(gasjet.outlet, outlet, law=[None, 1, "sonic"], **{argument: NUMBERS for argument in outlet})
         self.each(gasjet.outlet, {**outlet, "law": "pressure_matched", "bag_pressure": 1e5}, bag_pressure=NUMBERS)
+        self.each(gasjet.outlet, {**outlet, "law": "expanded", "bag_pressure": 1e3}, bag_pressure=NUMBERS + [0.0, -1.0])
 
     def test_tank(self):
         air = gasjet.Gas("N2=1")
@@ -123,6 +124,8 @@ class BadCalls(unittest.TestCase):
         self.each(jet.velocity, dict(points=NODES), points=[value for value in POINTS if getattr(value, "size", 1) > 0])
         self.each(jet.pressure, dict(nodes=NODES, triangles=TRIANGLES, velocity=1.0, density=1.0, occlusion=True), nodes=POINTS,
                   triangles=TRIANGLE_LISTS, velocity=NUMBERS, density=NUMBERS, occlusion=FLAGS, null_elements=INDICES[:-1])
+        self.each(jet.pressure, dict(nodes=NODES, triangles=TRIANGLES, velocity=1.0, density=1.0, area_ratio=1.2, reflected=0.8, restitution=0.3),
+                  area_ratio=NUMBERS + [0.0, -1.0], reflected=NUMBERS + [0.0, -1.0], restitution=NUMBERS[1:] + [-0.51, 4.01])
 
     def test_membrane_contact_and_pendulum(self):
         fabric = dict(reference=NODES, triangles=TRIANGLES, thickness=4e-4, density=800.0, young_modulus=3e8, poisson=0.3)

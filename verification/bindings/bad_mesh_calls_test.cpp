@@ -117,6 +117,11 @@ TEST_F(bad_calls, jet) {
        [&](int64_t c) { return press(x(), c, 1, 1, kNan, p, m(), force); });
   each(kNotCounted, "velocity", [&](double v) { return press(x(), n(), v, 1, kNan, p, m(), force); });
   each(kNotCounted, "density", [&](double d) { return press(x(), n(), 1, d, kNan, p, m(), force); });
+  each(kNotPositive, "area_ratio", [&](double a) { return gasjet_jet_expansion(jet.value, a, 1, 1); });
+  each(kNotPositive, "reflected", [&](double r) { return gasjet_jet_expansion(jet.value, 1, r, 1); });
+  for (const double bad : {-0.51, 4.01, kInfinity, -kInfinity})
+    refused(gasjet_jet_expansion(jet.value, 1, 1, bad), "restitution");
+  each_bad_handle("jet", surface.value, [&](gasjet_handle h) { return gasjet_jet_expansion(h, 1, 1, 1); });
   refused(press(x(), n(), 1, 1, -1.0, p, m(), force), "displacement_bound");
   refused(press(x(), n(), 1, 1, kNan, nullptr, m(), force), "overpressure");
   refused(press(x(), n(), 1, 1, kNan, p, m() + 1, force), "overpressure");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pendulum, contact and fabric law of the Python package against closed forms, and a mesh of meshio."""
+"""Pendulum, contact, fabric law and expanded jet of the Python package against closed forms, and a mesh of meshio."""
 import os
 import unittest
 
@@ -117,6 +117,30 @@ class Meshes(unittest.TestCase):
         self.assertGreater(bag.evaluate(mesh.points)["volume_m3"], 0.0)
         with self.assertRaisesRegex(TypeError, "mesh with triangles"):
             gasjet.visible(meshio.Mesh([[0.0, 0, 0], [1, 0, 0]], [("line", [[0, 1]])]))
+
+
+class ExpandedJet(unittest.TestCase):
+    def test_expanded_jet_on_a_plate(self):
+        area, flow, gas = np.pi * 0.03**2, 4.0, dict(temperature=500.0, cp=1038.8, gas_constant=296.8)
+        sonic = gasjet.outlet(area, flow, law="sonic_stagnation", **gas)
+        nozzle = gasjet.outlet(area, flow, law="expanded", bag_pressure=101325.0, **gas)
+        self.assertEqual(nozzle["pressure_Pa"], 101325.0)
+        thrust = flow * sonic["velocity_m_s"] + (sonic["pressure_Pa"] - 101325.0) * area
+        self.assertAlmostEqual(flow * nozzle["velocity_m_s"] / thrust, 1.0, 12)
+        air = dict(velocity=nozzle["velocity_m_s"], density=nozzle["density_kg_m3"])
+        ratio, reflected = flow / (air["density"] * air["velocity"] * area), sonic["velocity_m_s"] / air["velocity"]
+        nodes, triangles = square(0.4, 40)
+        blow = dict(centre=(0.0, 0.0, -0.3), axis=(0.0, 0.0, 1.0), decay_coefficient=0.08, cut_off=1e-12)
+        jet, wider = gasjet.Jet(**blow, radius=0.03), gasjet.Jet(**blow, radius=0.03 * ratio**0.5, restitution=0.0)
+        exact = wider.pressure(nodes, triangles, **air)[0]
+        for e in (-0.5, 0.0, 0.3, 4.0):
+            pressure = jet.pressure(nodes, triangles, **air, area_ratio=ratio, reflected=reflected, restitution=e)[0]
+            np.testing.assert_allclose(pressure, (1.0 + e * reflected) * exact, rtol=1e-12)
+            load = thrust + e * flow * sonic["velocity_m_s"]
+            np.testing.assert_allclose(pressure.sum() * 0.4**2 / len(triangles), load, rtol=1e-3)  # beyond the plate's edge
+        plain = gasjet.Jet(**blow, radius=0.03)
+        for one, other in zip(jet.pressure(nodes, triangles, **air), plain.pressure(nodes, triangles, **air)):
+            np.testing.assert_array_equal(one, other)  # nothing is kept from call to call
 
 
 if __name__ == "__main__":

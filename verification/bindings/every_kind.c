@@ -53,6 +53,8 @@ static void jet_and_surface(void) {
   check(gasjet_jet_create(&model, triangles, TRIANGLES, NULL, NODES, NULL, 0, NULL, 0, &jet), GASJET_OK);
   check(gasjet_jet_create(&model, wrong, TRIANGLES, NULL, NODES, NULL, 0, NULL, 0, &none), GASJET_BAD_INPUT);
   check(gasjet_surface_create(triangles, TRIANGLES, NULL, NODES, NULL, 0, NULL, 0, &surface), GASJET_OK);
+  check(gasjet_jet_expansion(jet, 1.2, 0.9, NAN), GASJET_OK);
+  check(gasjet_jet_expansion(jet, 0.0, 0.9, NAN), GASJET_BAD_INPUT);
   for (int i = 0; i < 3; ++i) {
     check(gasjet_jet_pressure(jet, nodes, NODES, NULL, 400.0, 1.0, 1, 1e-3 * i, pressure, TRIANGLES, force,
                               NULL),

@@ -2,6 +2,7 @@
 // Jet and hidden elements through gasjet.h.
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <numeric>
 
 #include "jet/visibility.hpp"
@@ -182,6 +183,50 @@ TEST(c_jet, force_on_a_wall_eq_twice_the_momentum_flux) {
   EXPECT_NEAR(force[1], 0.0, 1e-9 * exact);
   EXPECT_EQ(counters.hidden, 0);
   EXPECT_GT(counters.lit, 500);
+}
+
+/// The same for an outlet at 2.3 times the pressure around it: mdot V0 + (pe - p) A + e mdot V0.
+TEST(c_jet, expanded_jet_on_a_wall_eq_thrust_and_what_is_turned_back) {
+  const Mesh mesh = box(160, 1.0, -0.5);
+  gasjet_jet_model model = round_jet();
+  model.centre[0] = -0.2;
+  Handle jet;
+  ASSERT_OK(gasjet_jet_create(&model, mesh.triangles.data(), mesh.triangle_count(), nullptr,
+                              mesh.node_count(), nullptr, 0, nullptr, 0, &jet.value));
+  const double area = std::acos(-1.0) * model.radius * model.radius, p = 101325.0;
+  gasjet_outlet_state sonic, nozzle;
+  ASSERT_OK(gasjet_outlet(GASJET_SONIC_STAGNATION, area, 1.0, 500.0, 1038.8, 296.8, p, &sonic));
+  ASSERT_OK(gasjet_outlet(GASJET_EXPANDED, area, 1.0, 500.0, 1038.8, 296.8, p, &nozzle));
+  EXPECT_EQ(nozzle.pressure, p);
+  const double thrust = sonic.velocity + (sonic.pressure - p) * area;  // mass flow 1 kg/s
+  EXPECT_GT(sonic.pressure, 2.0 * p);
+  EXPECT_NEAR(nozzle.velocity, thrust, 1e-13 * thrust);
+  std::vector<double> pressure(static_cast<std::size_t>(mesh.triangle_count()));
+  const auto force_on_wall = [&] {
+    double force[3];
+    EXPECT_OK(gasjet_jet_pressure(jet.value, mesh.nodes.data(), mesh.node_count(), nullptr, nozzle.velocity,
+                                  nozzle.density, 1, 0.0, pressure.data(), mesh.triangle_count(), force,
+                                  nullptr));
+    return force[0];
+  };
+  const double before = force_on_wall();
+  const double area_ratio = 1.0 / (nozzle.density * nozzle.velocity * area);
+  for (const double e : {-0.5, 0.0, 0.3, 1.0, 4.0, kNan}) {
+    ASSERT_OK(gasjet_jet_expansion(jet.value, area_ratio, sonic.velocity / nozzle.velocity, e));
+    const double exact = thrust + (std::isnan(e) ? 4.0 : e) * sonic.velocity;  // NaN: as it was
+    EXPECT_NEAR(force_on_wall(), exact, 3e-3 * exact);
+  }
+  ASSERT_OK(gasjet_jet_expansion(jet.value, 1.0, 1.0, 1.0));
+  EXPECT_EQ(force_on_wall(), before);
+}
+
+TEST(c_jet, expanded_outlet_below_bag_pressure_is_the_matched_one) {
+  gasjet_outlet_state expanded, matched;
+  for (const double p : {1e5, 2e5}) {
+    ASSERT_OK(gasjet_outlet(GASJET_EXPANDED, 1e-2, 1.0, 500.0, 1038.8, 296.8, p, &expanded));
+    ASSERT_OK(gasjet_outlet(GASJET_PRESSURE_MATCHED, 1e-2, 1.0, 500.0, 1038.8, 296.8, p, &matched));
+    EXPECT_EQ(std::memcmp(&expanded, &matched, sizeof expanded), 0);
+  }
 }
 
 TEST(c_jet, what_stands_before_hides_what_is_behind) {

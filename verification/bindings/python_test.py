@@ -262,7 +262,7 @@ class Bodies(unittest.TestCase):
         along = jet.velocity(np.array([[0.1, 0.0, 0.0], [1.0, 0.0, 0.0]]))
         self.assertEqual(along[0, 0], 1.0)
         self.assertLess(along[1, 0], 0.5)
-        for change in (dict(radius=-1.0), dict(radius=0.03, restitution=2.0), dict(short_side=0.1)):
+        for change in (dict(radius=-1.0), dict(radius=0.03, restitution=4.1), dict(short_side=0.1)):
             with self.assertRaises(gasjet.InputError):
                 gasjet.Jet((0, 0, 0), (1, 0, 0), decay_coefficient=0.08, **change)
 

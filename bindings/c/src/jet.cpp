@@ -11,7 +11,6 @@
 
 #include "arrays.hpp"
 #include "jet/field.hpp"
-#include "jet/outlet.hpp"
 #include "jet/subdivision.hpp"
 #include "jet/visibility.hpp"
 
@@ -158,6 +157,7 @@ struct Jet : Object {
   jet::FieldState state;
   Eigen::Matrix3Xd area_vectors, centroids;
   std::vector<std::uint8_t> lit;
+  double area_ratio = 1.0, reflected = 1.0;  // of the notional nozzle
 };
 
 double bound_of(double displacement_bound) {
@@ -180,29 +180,6 @@ std::span<const int> candidates_of(const Surface& surface, const int32_t* candid
 }
 
 }  // namespace
-
-int gasjet_outlet(int law, double area, double mass_flow, double temperature, double cp, double gas_constant,
-                  double bag_pressure, gasjet_outlet_state* state) {
-  return call([&] {
-    if (law < GASJET_SONIC_STATIC || law > GASJET_PRESSURE_MATCHED)
-      refuse("law", "is " + std::to_string(law) + ", allowed: a gasjet_outlet_law, 0 to 2");
-    jet::OutletModel model;
-    model.law = law == GASJET_PRESSURE_MATCHED ? jet::OutletLaw::pressure_matched : jet::OutletLaw::sonic;
-    model.temperature = law == GASJET_SONIC_STATIC ? jet::OutletTemperature::static_value
-                                                   : jet::OutletTemperature::stagnation;
-    model.area = positive(area, "area");
-    number(mass_flow, "mass_flow", 0.0);
-    positive(temperature, "temperature");
-    positive(gas_constant, "gas_constant");
-    if (!(number(cp, "cp") > gas_constant))
-      refuse("cp", "is " + shown(cp) + ", allowed: above gas_constant, " + shown(gas_constant));
-    if (law == GASJET_PRESSURE_MATCHED) positive(bag_pressure, "bag_pressure");
-    jet::validate(model);
-    const auto out = jet::outlet_state(model, {mass_flow, temperature, cp, gas_constant, bag_pressure});
-    const gasjet_outlet_state all{out.velocity, out.density, out.pressure, out.temperature};
-    needed(state, "state") = finite(all, "state");
-  });
-}
 
 int gasjet_jet_defaults(gasjet_jet_model* model) {
   return call([&] {
@@ -227,6 +204,19 @@ int gasjet_jet_create(const gasjet_jet_model* model, const int32_t triangles[], 
   });
 }
 
+int gasjet_jet_expansion(gasjet_handle jet, double area_ratio, double reflected, double restitution) {
+  return call([&] {
+    const Use<Jet> use(jet, "jet");
+    positive(area_ratio, "area_ratio");
+    positive(reflected, "reflected");
+    if (restitution < -0.5 || restitution > 4.0)
+      refuse("restitution", "is " + shown(restitution) + ", allowed: -0.5 to 4, NaN to keep it");
+    if (!std::isnan(restitution)) use->state.restitution = restitution;
+    use->area_ratio = area_ratio;
+    use->reflected = reflected;
+  });
+}
+
 int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int64_t node_count,
                         const int64_t node_stride[], double velocity, double density, int occlusion,
                         double displacement_bound, double overpressure[], int64_t overpressure_count,
@@ -237,7 +227,9 @@ int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int64_t node_co
     const auto out = output(overpressure, overpressure_count, use->skin.triangles.cols(), "overpressure");
     needed(force, "force");
     bound_of(displacement_bound);
-    const jet::OutletState outlet{number(velocity, "velocity", 0.0), number(density, "density", 0.0)};
+    jet::OutletState outlet{number(velocity, "velocity", 0.0), number(density, "density", 0.0)};
+    outlet.area_ratio = use->area_ratio;
+    outlet.reflected = use->reflected;
     use->measure(points.view());
     use->field.evaluate(use->area_vectors, use->centroids, outlet, use->state, nullptr, displacement_bound);
     jet::VisibilityCounters seen;

@@ -110,12 +110,15 @@ class Tank:
         return _gasjet.tank_balance(self._handle)
 
 
-OUTLET_LAWS = ("sonic_static", "sonic_stagnation", "pressure_matched")
+OUTLET_LAWS = ("sonic_static", "sonic_stagnation", "pressure_matched", "expanded")
 
 
 def outlet(area: float, mass_flow: float, temperature: float, cp: float, gas_constant: float,
            law: str = "sonic_static", bag_pressure: float = 101325.0) -> Dict[str, float]:
-    """velocity_m_s, density_kg_m3, pressure_Pa and temperature_K (static) in an outlet of area [m2]; law: one of OUTLET_LAWS."""
+    """velocity_m_s, density_kg_m3, pressure_Pa and temperature_K (static) in an outlet of area [m2]; law: one of OUTLET_LAWS.
+
+    "expanded": those of the notional nozzle, if the outlet's pressure would be above bag_pressure.
+    """
     if law not in OUTLET_LAWS:
         raise ValueError(f"law: is {law!r}, allowed: {', '.join(OUTLET_LAWS)}")
     return _gasjet.outlet(OUTLET_LAWS.index(law), area, mass_flow, temperature, cp, gas_constant, bag_pressure)
@@ -178,7 +181,7 @@ class Jet:
     instead of by conservation of momentum. `counters` of the last `pressure`: candidates, lit, hidden, facing_away.
     """
 
-    __slots__ = ("_model", "_skin", "_words", "counters", "__weakref__")
+    __slots__ = ("_model", "_restitution", "_skin", "_words", "counters", "__weakref__")
 
     def __init__(self, centre: Vector, axis: Vector, *, decay_coefficient: float, radius: float = NAN, short_side: float = NAN,
                  long_side: float = NAN, long_direction: Vector = NO_VECTOR, cone_initial_width: float = NAN,
@@ -186,6 +189,7 @@ class Jet:
         self._model = _gasjet.jet_model(centre, axis, radius, short_side, long_side, long_direction, decay_coefficient,
                                         cone_initial_width, cone_half_angle, restitution, cut_off, radial)
         self._skin: Tuple[Any, Any] = (None, None)
+        self._restitution = restitution
         self.counters: Dict[str, int] = {}
         self.velocity(np.zeros((1, 3)))  # checks the model
         size = f"round, radius {radius:g} m" if radius == radius else f"{short_side:g} m by {long_side:g} m"
@@ -199,13 +203,18 @@ class Jet:
         return _gasjet.jet_velocity(self._model, as_points(points, "points"))
 
     def pressure(self, nodes: Any, triangles: Any = None, *, velocity: float, density: float, occlusion: bool = True,
-                 null_elements: Any = None, attachment_elements: Any = None,
-                 displacement_bound: float = NAN) -> Tuple[np.ndarray, np.ndarray]:
+                 null_elements: Any = None, attachment_elements: Any = None, displacement_bound: float = NAN,
+                 area_ratio: float = 1.0, reflected: float = 1.0,
+                 restitution: Optional[float] = None) -> Tuple[np.ndarray, np.ndarray]:
         """Overpressure [Pa] of each triangle and the force [N] of all; `counters` has the numbers of lit and hidden elements.
 
-        velocity [m/s] and density [kg/m3] belong to the outlet. Data of a surface is kept for the next call with equal
+        velocity [m/s] and density [kg/m3] belong to the outlet, or to its notional nozzle. area_ratio [-] is that nozzle's area
+        over the outlet's, mass_flow / (density velocity area); reflected [-] the outlet's velocity over the nozzle's.
+        restitution [-] in this call, -0.5 to 4; None: the jet's. Data of a surface is kept for the next call with equal
         triangles; for displacement_bound see Surface.
         """
+        if restitution != restitution:  # in C it would mean: as before
+            raise ValueError("restitution: is nan, allowed: -0.5 to 4")
         nodes, triangles = mesh_arrays(nodes, triangles)
         roles = (as_indices(null_elements, "null_elements"), as_indices(attachment_elements, "attachment_elements"))
         key = (len(nodes), *(part.tobytes() for part in (triangles, *roles)))  # quicker to compare than arrays
@@ -214,7 +223,8 @@ class Jet:
             handle = _gasjet.jet(self._model, triangles, len(nodes), *roles)
             self._skin = (handle, key)
         pressure, force, self.counters = _gasjet.jet_pressure(handle, len(triangles), nodes, velocity, density, occlusion,
-                                                              displacement_bound)
+                                                              displacement_bound, area_ratio, reflected,
+                                                              self._restitution if restitution is None else restitution)
         return pressure, force
 
 

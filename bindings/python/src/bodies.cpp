@@ -67,12 +67,15 @@ py::dict counters_of(const gasjet_visibility& seen) {
 }
 
 py::tuple jet_pressure(const Handle& jet, int64_t elements, const py::object& nodes, double velocity,
-                       double density, bool occlusion, double displacement_bound) {
+                       double density, bool occlusion, double displacement_bound, double area_ratio,
+                       double reflected, double restitution) {
   const Points x = points(nodes, "nodes");
   py::array_t<double> pressure(elements), force(3);
   double *p = pressure.mutable_data(), *f = force.mutable_data();
   gasjet_visibility seen;
   unlocked([&] {
+    const int status = gasjet_jet_expansion(jet.value, area_ratio, reflected, restitution);
+    if (status != GASJET_OK) return status;
     return gasjet_jet_pressure(jet.value, x.data(), x.count(), x.stride.data(), velocity, density,
                                occlusion ? 1 : 0, displacement_bound, p, elements, f, &seen);
   });
@@ -195,7 +198,8 @@ void add_bodies(py::module_& m) {
   def(m, "jet_velocity", &jet_velocity, {"model", "points"});
   def(m, "jet", &jet, {"model", "triangles", "node_count", "null_elements", "attachment_elements"});
   def(m, "jet_pressure", &jet_pressure,
-      {"jet", "elements", "nodes", "velocity", "density", "occlusion", "displacement_bound"});
+      {"jet", "elements", "nodes", "velocity", "density", "occlusion", "displacement_bound", "area_ratio",
+       "reflected", "restitution"});
   def(m, "check_surface", &check_surface, {"nodes", "triangles"});
   def(m, "surface", &surface, {"triangles", "node_count", "null_elements", "attachment_elements"});
   def(m, "surface_visible", &surface_visible,

@@ -13,19 +13,21 @@ enum gasjet_outlet_law {
   GASJET_SONIC_STATIC = 0,     /* sonic, temperature of the moving gas (the paper's form) */
   GASJET_SONIC_STAGNATION = 1, /* sonic, temperature of the chamber */
   GASJET_PRESSURE_MATCHED =
-      2 /* of the chamber; subsonic at bag pressure if a sonic outlet's pressure would be below it */
+      2, /* of the chamber; subsonic at bag pressure if a sonic outlet's pressure would be below it */
+  GASJET_EXPANDED = 3 /* the same, but a sonic outlet above bag pressure expands to it: the state is that of
+                       * the notional nozzle (J.12) */
 };
 
-/* Uniform gas in an outlet. */
+/* Uniform gas in an outlet, or at the notional nozzle. */
 typedef struct gasjet_outlet_state {
-  double velocity;    /* [m/s] V0 */
-  double density;     /* [kg/m3] rho0 */
+  double velocity;    /* [m/s] V0, or V of the notional nozzle */
+  double density;     /* [kg/m3] rho0, or rho */
   double pressure;    /* [Pa] */
   double temperature; /* [K] static */
 } gasjet_outlet_state;
 
 /* (J.1), (J.2): area [m2] > 0, mass_flow [kg/s] >= 0, temperature [K] > 0, cp > gas_constant > 0 [J/(kg
- * K)], bag_pressure [Pa] > 0 (used by GASJET_PRESSURE_MATCHED only). */
+ * K)], bag_pressure [Pa] > 0 (used by GASJET_PRESSURE_MATCHED and GASJET_EXPANDED only), (J.12). */
 GASJET_API int gasjet_outlet(int law, double area, double mass_flow, double temperature, double cp,
                              double gas_constant, double bag_pressure, gasjet_outlet_state* state);
 
@@ -41,7 +43,7 @@ typedef struct gasjet_jet_model {
   double decay_coefficient;  /* [-] a of (J.3), (J.4) */
   double cone_initial_width; /* [m] of the cone of the width; NaN: conservation of momentum */
   double cone_half_angle;    /* [rad] of that cone, 0 to pi/2; NaN without one */
-  double restitution;        /* [-] 0 to 1, default 1: complete reflection */
+  double restitution;        /* [-] -0.5 to 4, default 1: complete reflection */
   double cut_off;            /* [-] no load if (V/V_max)^2 is below this; default 1e-3 */
   int64_t radial; /* not 0: velocity points away from the virtual origin; default 0: along the axis */
 } gasjet_jet_model;
@@ -59,6 +61,14 @@ GASJET_API int gasjet_jet_create(const gasjet_jet_model* model, const int32_t tr
                                  int64_t null_count, const int32_t GASJET_OR_NULL attachment_elements[],
                                  int64_t attachment_count, gasjet_handle* jet);
 
+/* Notional nozzle and restitution of the calls of gasjet_jet_pressure that follow. area_ratio [-] > 0: area
+ * of the nozzle over the outlet's, mass_flow / (density velocity area) with the state of GASJET_EXPANDED;
+ * the jet is wider by it. reflected [-] > 0: velocity in the outlet (GASJET_SONIC_STAGNATION) over that of
+ * the nozzle. Both are 1 at first, and for outlets that do not expand. restitution [-]: -0.5 to 4; NaN:
+ * as it is. */
+GASJET_API int gasjet_jet_expansion(gasjet_handle jet, double area_ratio, double reflected,
+                                    double restitution);
+
 /* Counters of a query: candidates = lit + hidden + facing_away. */
 typedef struct gasjet_visibility {
   int64_t candidates;  /* elements queried */
@@ -67,10 +77,11 @@ typedef struct gasjet_visibility {
   int64_t facing_away; /* the source is on their outer side */
 } gasjet_visibility;
 
-/* Overpressure [Pa] of each element, dp = (1 + e) rho0 (V.n)^2 (J.6), 0 if hidden and `occlusion` is not
- * 0. The caller loads each corner by dp S_e / 3. force [N]: sum of dp S_e. displacement_bound [m]: a sum
- * that only grows; no node has moved farther since the first call; NaN: unknown. It affects the speed
- * only. */
+/* Overpressure [Pa] of each element, dp = (1 + e reflected) rho (V.n)^2 (J.6), 0 if hidden and `occlusion`
+ * is not 0. velocity [m/s] and density [kg/m3] are those of gasjet_outlet; e and reflected: see
+ * gasjet_jet_expansion. The caller loads each corner by dp S_e / 3. force [N]: sum of dp S_e.
+ * displacement_bound [m]: a sum that only grows; no node has moved farther since the first call; NaN:
+ * unknown. It affects the speed only. */
 GASJET_API int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int64_t node_count,
                                    const int64_t GASJET_OR_NULL node_stride[], double velocity,
                                    double density, int occlusion, double displacement_bound,
