@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jet/outlet.hpp"
-
 #include <gasjet/jet.h>
 
 #include "border.hpp"
+#include "jet/outlet.hpp"
 
 using namespace border;
 

@@ -50,17 +50,31 @@ CurveData read_csv_curve(const std::filesystem::path& file, const std::string& k
   return curve;
 }
 
+// Knots of a curve, or the column of a file that has them, by what the curve is against.
+std::vector<double> knots(TableReader& reader, const std::string& abscissa) {
+  if (abscissa == "time") return reader.at("time").numbers(any_number.in("s"));
+  if (abscissa == "overpressure") return reader.at("overpressure").numbers(any_number.in("Pa"));
+  return abscissa == "strain" ? reader.at("strain").numbers(any_number)
+                              : reader.at("mass_ratio").numbers(any_number);
+}
+
+std::string knots_column(TableReader& reader, const std::string& abscissa) {
+  if (abscissa == "time") return reader.at("time_column").text("time_s");
+  if (abscissa == "overpressure") return reader.at("overpressure_column").text("overpressure_Pa");
+  return abscissa == "strain" ? reader.at("strain_column").text("strain")
+                              : reader.at("mass_ratio_column").text("mass_ratio");
+}
+
 CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string& abscissa,
                          const std::function<void(const std::string&)>& fail) {
   CurveData curve;
   const bool jumps = abscissa == "time";
-  const char* unit = jumps ? "s" : abscissa == "overpressure" ? "Pa" : "";
   if (reader.has("file")) {
     const auto file = reader.beside_case(reader.at("file").text());
-    const auto knots = reader.at(abscissa + "_column").text(*unit == '\0' ? abscissa : abscissa + "_" + unit);
+    const auto abscissae = knots_column(reader, abscissa);
     const auto column = reader.at("column").text();
     try {
-      curve = read_csv_curve(file, knots, column, jumps);
+      curve = read_csv_curve(file, abscissae, column, jumps);
     } catch (const FileError& error) {
       reader.fail("file", error.what());
     }
@@ -69,7 +83,7 @@ CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string&
         fail(
             fmt::format("{} has {}, allowed: {}", file.string(), value, with_unit(bounds.text, bounds.unit)));
   } else {
-    curve.time = reader.at(abscissa).numbers(any_number.in(unit));
+    curve.time = knots(reader, abscissa);
     curve.value = reader.at("value").numbers(bounds);
     check_knots(curve, jumps, [&](std::size_t, const std::string& message) { fail(message); });
   }
@@ -79,22 +93,21 @@ CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string&
 
 }  // namespace
 
-CurveData KeyReader::curve(Bounds bounds, const std::string& abscissa) {
+CurveData KeyReader::curve(Bounds bounds, const std::string& abscissa, std::optional<double> fallback) {
   const std::string allowed = fmt::format("a curve of {}: {}", abscissa, bounds.text);
+  if (fallback) {
+    const toml::node* node = table_->find(key_, bounds.unit, fmt::format("{}; or {}", bounds.text, allowed),
+                                          fmt::format("{}", *fallback));
+    if (!node || !node->is_table()) {
+      const double value = node ? checked(*node, bounds) : *fallback;
+      remember(fmt::format("{}", value), !node);
+      return {{}, {value}};
+    }
+  }
   const toml::node& node = table_->require(key_, bounds.unit, allowed, "a number or a curve");
   if (!node.is_table()) return {{}, {number(bounds)}};
   return curve_of_table(table_->below(key_, node), bounds, abscissa,
                         [&](const std::string& message) { fail(message); });
-}
-
-CurveData KeyReader::curve(Bounds bounds, const std::string& abscissa, double fallback) {
-  const std::string allowed = fmt::format("{}; or a curve of {}: {}", bounds.text, abscissa, bounds.text),
-                    text = fmt::format("{}", fallback);
-  const toml::node* node = table_->find(key_, bounds.unit, allowed, text);
-  if (node && node->is_table()) return curve(bounds, abscissa);
-  const double value = node ? checked(*node, bounds) : fallback;
-  remember(fmt::format("{}", value), !node);
-  return {{}, {value}};
 }
 
 std::map<std::string, double> KeyReader::composition() {

@@ -138,9 +138,9 @@ class KeyReader {
   ///
   /// A curve against another quantity has its name in place of "time", as in { overpressure = [..], value =
   /// [..] }; pass it as `abscissa`. The result's knots are in `time` all the same. Only a curve of time may
-  /// jump.
-  CurveData curve(Bounds value_bounds, const std::string& abscissa = "time");
-  CurveData curve(Bounds value_bounds, const std::string& abscissa, double fallback);
+  /// jump. The key may be missing if there is a `fallback`, a constant.
+  CurveData curve(Bounds value_bounds, const std::string& abscissa = "time",
+                  std::optional<double> fallback = {});
   /// Reads { name = fraction, ... }: each in (0, 1], with sum 1 within 1e-9. Returns them as given.
   std::map<std::string, double> composition();
 
