@@ -37,7 +37,7 @@ def keys_of(gasjet):
             path, *facts = line.split("\t")
             path = re.sub(r"\.[0-9]+(?=\.|$)", "", path)
             found.append((path, facts))
-            if facts[1].startswith(("a curve", "a composition")):
+            if "a curve of" in facts[1] or facts[1].startswith("a composition"):
                 curves.add(path)
     keys = {}
     for path, facts in found:

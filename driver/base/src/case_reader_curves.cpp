@@ -95,19 +95,17 @@ CurveData curve_of_table(TableReader&& reader, Bounds bounds, const std::string&
 
 CurveData KeyReader::curve(Bounds bounds, const std::string& abscissa, std::optional<double> fallback) {
   const std::string allowed = fmt::format("a curve of {}: {}", abscissa, bounds.text);
-  if (fallback) {
-    const toml::node* node = table_->find(key_, bounds.unit, fmt::format("{}; or {}", bounds.text, allowed),
-                                          fmt::format("{}", *fallback));
-    if (!node || !node->is_table()) {
-      const double value = node ? checked(*node, bounds) : *fallback;
-      remember(fmt::format("{}", value), !node);
-      return {{}, {value}};
-    }
-  }
-  const toml::node& node = table_->require(key_, bounds.unit, allowed, "a number or a curve");
-  if (!node.is_table()) return {{}, {number(bounds)}};
-  return curve_of_table(table_->below(key_, node), bounds, abscissa,
-                        [&](const std::string& message) { fail(message); });
+  const toml::node* node =
+      fallback ? table_->find(key_, bounds.unit, fmt::format("{}; or {}", bounds.text, allowed),
+                              fmt::format("{}", *fallback))
+               : &table_->require(key_, bounds.unit, allowed, "a number or a curve");
+  if (node && node->is_table())
+    return curve_of_table(table_->below(key_, *node), bounds, abscissa,
+                          [&](const std::string& message) { fail(message); });
+  if (!fallback) return {{}, {number(bounds)}};
+  const double value = node ? checked(*node, bounds) : *fallback;
+  remember(fmt::format("{}", value), !node);
+  return {{}, {value}};
 }
 
 std::map<std::string, double> KeyReader::composition() {
