@@ -121,47 +121,55 @@ void print_inflators(const Scene& scene) {
   }
 }
 
+void print_range(const JetPart& part, const RestitutionRange& range) {
+  const Range e = restitution(part);
+  const std::string own = e.low < e.high
+                              ? fmt::format("{:.3g} to {:.3g}", e.low, e.high)
+                              : fmt::format("{:.3g}{}", e.low, e.low == 1.0 ? ", the paper's" : "");
+  fmt::print(
+      "  restitution {}; computed for bags {} than wide: {} to {}, first passes of the jet lowest (this "
+      "bag's "
+      "depth ahead of the outlet is {:.3g} of its width)\n",
+      own, range.deep ? "deeper" : "less deep", range.low, range.high, range.depth_over_width);
+}
+
+void print_missing_energy(const MissingEnergy& missing) {
+  fmt::print(
+      "  temperature = \"static\" lets gas in without its V0^2/2, in all {:.3g} J{}; \"stagnation\" at "
+      "{:.4g} K is the same outlet with it\n",
+      missing.energy,
+      missing.pressure ? fmt::format(": up to {:.3g} Pa in the bag as sewn", *missing.pressure) : "",
+      missing.temperature);
+}
+
 // What the load rests on, beside what the model makes of it.
 void print_push(const Scene& scene, const JetPart& part) {
   const JetPush push = jet_push(scene, part);
-  const jet::JetModel& model = part.field.model();
+  const std::string most = push.most_load > push.load ? fmt::format(" to {:.4g}", push.most_load) : "";
   fmt::print(
-      "  load on a plate {:.4g} N by the model; in free air {:.4g} N, of mdot V0 = {:.4g} N and (pe - pa) A "
-      "= "
-      "{:.4g} N at pe/pa = {:.3g} (outlet = \"expanded\" with restitution = 0 is that)\n",
-      push.load, push.thrust, push.momentum, push.thrust - push.momentum, push.pressure_ratio);
-  if (!scene.bag) return;
-  const RestitutionRange range = restitution_range(scene, model);
-  fmt::print(
-      "  restitution {:.3g}{}; computed for bags {} than wide (this one: {:.2g} of its width): {} to {}, "
-      "first "
-      "passes of the jet lowest\n",
-      model.restitution,
-      part.restitution           ? " at the start"
-      : model.restitution == 1.0 ? ", the paper's"
-                                 : "",
-      range.deep ? "deeper" : "less deep", range.depth_over_width, range.low, range.high);
-  if (part.outlet.temperature == jet::OutletTemperature::stagnation) return;
-  const MissingEnergy missing = missing_energy(scene, part);
-  fmt::print(
-      "  temperature = \"static\" lets gas in without its V0^2/2, in all {:.3g} J: up to {:.3g} Pa in the "
-      "bag "
-      "as sewn; \"stagnation\" at {:.4g} K is the same outlet with it\n",
-      missing.energy, missing.pressure, missing.temperature);
+      "  load on a plate {:.4g}{} N by the model; in free air {:.4g} N, of mdot V0 = {:.4g} N and (pe - pa) "
+      "A = "
+      "{:.4g} N at pe/pa = {:.3g} (what outlet = \"expanded\" with restitution = 0 gives)\n",
+      push.load, most, push.thrust, push.momentum, push.thrust - push.momentum, push.pressure_ratio);
+  if (const auto range = restitution_range(scene, part.field.model())) print_range(part, *range);
+  if (scene.bag && part.outlet.temperature == jet::OutletTemperature::static_value)
+    print_missing_energy(missing_energy(scene, part));
 }
 
 void print_jet(const Scene& scene, const JetPart& part) {
   const JetPeak peak = jet_peak(scene, part);
   const jet::JetModel& model = part.field.model();
+  const bool choked = peak.sonic_pressure > scene.ambient.pressure;
+  const char* index = part.outlet.law == jet::OutletLaw::expanded ? "" : "0";
   fmt::print(
-      "jet of inflator {}: at its peak ({}) V0 = {:.5g} m/s, rho0 = {:.4g} kg/m3, outlet pressure "
+      "jet of inflator {}: at its peak ({}) V{} = {:.5g} m/s, rho{} = {:.4g} kg/m3{}, outlet pressure "
       "{:.4g} Pa ({}), momentum {:.4g} N; cut-off loses {:.2g} of it\n",
-      part.inflator, peak_text(scene, part.inflator, peak.time), peak.outlet.velocity, peak.outlet.density,
-      peak.outlet.pressure, peak.sonic_pressure > scene.ambient.pressure ? "choked" : "not choked",
+      part.inflator, peak_text(scene, part.inflator, peak.time), index, peak.outlet.velocity, index,
+      peak.outlet.density,
+      *index ? ""
+             : fmt::format(" at the notional nozzle, {:.3g} times the outlet's area", peak.outlet.area_ratio),
+      choked ? peak.sonic_pressure : peak.outlet.pressure, choked ? "choked" : "not choked",
       jet::momentum_flux(peak.outlet, part.outlet.area), jet::momentum_loss(model));
-  if (peak.outlet.area_ratio != 1.0)
-    fmt::print("  that is its notional nozzle, {:.3g} times the outlet's area (J.12)\n",
-               peak.outlet.area_ratio);
   if (peak.mass_flow > 0.0) print_push(scene, part);
 }
 

@@ -102,8 +102,7 @@ void print_verdict(const LadderResult& result, const LadderOptions& options,
 }
 
 std::string end_of_band(const LadderResult& result, double change, const std::string& rung) {
-  return fmt::format("{:+.3g} ({:+.3g} %{})", change, per_cent(result, change),
-                     rung.empty() ? "" : ", " + rung);
+  return fmt::format("{:+.3g} ({:+.3g} %, {})", change, per_cent(result, change), rung);
 }
 
 // What the model itself may be off by is no error of a rung.
@@ -113,10 +112,8 @@ void print_model(const LadderResult& result, const LadderOptions& options) {
   fmt::print("the model's own band, by direction, reflection and expansion of the jet: {} to {}\n",
              end_of_band(result, band.low, band.lowest), end_of_band(result, band.high, band.highest));
   if (result.cheapest && !band.cheapest_stands)
-    fmt::print(
-        "within {:g} % of this model; with its band that verdict falls: know direction and reflection "
-        "first\n",
-        100.0 * options.tolerance);
+    fmt::print("within {:g} % of this model; with its band that verdict falls: know these first\n",
+               100.0 * options.tolerance);
 }
 
 void print(const LadderResult& result, const LadderOptions& options, const std::filesystem::path& folder) {

@@ -137,14 +137,17 @@ Json jets_of(const Scene& scene) {
                     {"peak_outlet_momentum_N", push.momentum},
                     {"peak_thrust_N", push.thrust},
                     {"peak_plate_load_N", push.load},
+                    {"peak_plate_load_most_N", push.most_load},
                     {"cut_off_loss", jet::momentum_loss(part.field.model())}});
     if (!scene.bag) continue;
-    const RestitutionRange range = restitution_range(scene, part.field.model());
-    jets.back().update({{"depth_over_width", range.depth_over_width},
-                        {"restitution_low", range.low},
-                        {"restitution_high", range.high}});
-    if (part.outlet.temperature == jet::OutletTemperature::static_value)
-      jets.back()["missing_pressure_Pa"] = missing_energy(scene, part).pressure;
+    if (const auto range = restitution_range(scene, part.field.model()))
+      jets.back().update({{"depth_over_width", range->depth_over_width},
+                          {"restitution_low", range->low},
+                          {"restitution_high", range->high}});
+    if (part.outlet.temperature != jet::OutletTemperature::static_value) continue;
+    const MissingEnergy missing = missing_energy(scene, part);
+    jets.back()["missing_energy_J"] = missing.energy;
+    if (missing.pressure) jets.back()["missing_pressure_Pa"] = *missing.pressure;
   }
   return jets;
 }

@@ -10,6 +10,7 @@
 
 #include "engine/supply.hpp"
 #include "forecast/forecast.hpp"
+#include "forecast/jet_push.hpp"
 
 namespace driver {
 namespace {
@@ -40,12 +41,7 @@ jet::OutletModel sonic(jet::OutletModel model) {
 }
 
 void warn_of_restitution(const JetPart& part, std::vector<std::string>& warnings) {
-  double low = part.field.model().restitution, high = low;
-  if (part.restitution)
-    for (const auto& knot : part.restitution->knots()) {
-      low = std::min(low, knot.value);
-      high = std::max(high, knot.value);
-    }
+  const auto [low, high] = restitution(part);
   const double outside = high > 1.0 ? high : low;
   if (low < 0.0 || high > 1.0)
     warnings.push_back(fmt::format(
@@ -126,7 +122,7 @@ double cone_gain(const jet::JetModel& cone, double distance) {
 JetPeak jet_peak(const Scene& scene, const JetPart& part) {
   const auto [time, point] = inflator_peak(scene, part.inflator);
   const jet::OutletInput input{point.mass_flow, point.temperature, point.cp, point.gas_constant,
-                               scene.ambient.pressure};
+                               pressure_around(scene)};
   return {time, point.mass_flow, jet::outlet_state(part.outlet, input),
           jet::outlet_state(sonic(part.outlet), input).pressure};
 }

@@ -37,9 +37,10 @@ class Effects {
     effect("occlusion", {off, on});
   }
 
-  // An outlet at the bag's pressure counts the inflator's temperature as that of the gas at rest.
+  // An outlet at the bag's pressure counts the inflator's temperature as that of the gas at rest. One that
+  // expands is truer than both, and stays.
   void outlet() {
-    if (scene_.jets.empty()) return;
+    if (scene_.jets.empty() || expands()) return;
     LadderChoice sonic{"outlet sonic", {}}, matched{"outlet pressure_matched", {}};
     for (const JetPart& jet : scene_.jets) {
       case_.set(sonic.overrides, case_.jet_key(jet, "outlet"), "\"sonic\"");
@@ -96,16 +97,18 @@ class Effects {
  private:
   void reflection() {
     Choices choices{{"restitution of the case", {}}};
-    for (const char* value : {"0.3", "0.0"}) {
-      LadderChoice other{fmt::format("restitution {}", value), {}};
+    for (const double value : {1.0, 0.3, 0.0}) {
+      LadderChoice other{fmt::format("restitution {:.1f}", value), {}};
       for (const JetPart& jet : scene_.jets)
-        case_.set(other.overrides, case_.jet_key(jet, "restitution"), value);
+        if (jet.restitution || jet.field.model().restitution != value)
+          other.overrides.push_back(fmt::format("{}={:.1f}", case_.jet_key(jet, "restitution"), value));
       if (!other.overrides.empty()) choices.push_back(std::move(other));
     }
     assumption("reflection", std::move(choices));
   }
 
   void expansion() {
+    if (expands()) return;
     LadderChoice expanded{"outlet expanded", {}};
     for (const JetPart& jet : scene_.jets) {
       if (jet.field.model().spread == jet::Spread::cone) {
@@ -141,6 +144,11 @@ class Effects {
 
   void set_vector(const JetPart& jet, const char* key, const Eigen::Vector3d& v, Overrides& overrides) const {
     case_.set(overrides, case_.jet_key(jet, key), fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()));
+  }
+
+  bool expands() const {
+    return std::ranges::any_of(scene_.jets,
+                               [](const JetPart& jet) { return jet.outlet.law == jet::OutletLaw::expanded; });
   }
 
   void assumption(const char* name, Choices choices) {

@@ -97,11 +97,12 @@ std::string ladder_json(const LadderResult& result, const LadderOptions& options
             {"spread_of_seeds", result.spread}};
   if (result.verdict != Verdict::not_judged) json["reference"] = reference_json(result.reference);
   if (result.model)
-    json["model_band"] = {{"low", result.model->low},
-                          {"lowest", result.model->lowest},
-                          {"high", result.model->high},
-                          {"highest", result.model->highest},
-                          {"cheapest_stands", result.model->cheapest_stands}};
+    json["model_band"] = {
+        {"low", result.model->low},
+        {"lowest", result.model->lowest},
+        {"high", result.model->high},
+        {"highest", result.model->highest},
+        {"cheapest_stands", result.cheapest ? Json(result.model->cheapest_stands) : Json(nullptr)}};
   for (const LadderRung& rung : result.rungs) json["rungs"].push_back(rung_json(result, rung));
   json["held"] = options.hold;
   json["left_out"] = result.plan.left_out;

@@ -26,6 +26,10 @@ struct InflatorPeak {
 };
 InflatorPeak inflator_peak(const Scene& scene, std::size_t inflator);
 
+/// Pressure [Pa] around an outlet, for estimates before a run: the ambient one, or that of the gas in a
+/// vacuum.
+double pressure_around(const Scene& scene);
+
 /// Supply of the inflators up to the scene's end, as if every trigger came on at 0.
 struct Supply {
   double mass = 0.0;       // [kg]

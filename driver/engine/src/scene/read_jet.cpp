@@ -10,6 +10,7 @@
 #include <elementary/trigonometric.hpp>
 #include <numbers>
 
+#include "engine/supply.hpp"
 #include "jet/centreline.hpp"
 #include "scene/gas_curve.hpp"
 #include "scene/outlet_place.hpp"
@@ -83,6 +84,11 @@ jet::JetModel read_model(TableReader& table) {
 // A number goes to the model; a curve is returned, with its first value in the model.
 std::optional<gas::Curve> read_restitution(TableReader& table, bool has_volume, jet::JetModel& model) {
   const CurveData data = table.at("restitution").curve(restitution_range, "mass_ratio", model.restitution);
+  if (!data.time.empty() && data.time.front() < 0.0)
+    table.fail("restitution",
+               fmt::format("begins at a mass_ratio of {:.3g}, allowed: 0 or more: injected over "
+                           "contained mass",
+                           data.time.front()));
   const gas::Curve curve = to_gas_curve(data, gas::Outside::held);
   model.restitution = curve.value(0.0);
   if (curve.is_constant()) return {};
@@ -93,7 +99,7 @@ std::optional<gas::Curve> read_restitution(TableReader& table, bool has_volume, 
   return curve;
 }
 
-jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
+jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model, const Scene& scene) {
   jet::OutletModel outlet;
   outlet.law =
       table.at("outlet").choice<jet::OutletLaw>({{"sonic", jet::OutletLaw::sonic},
@@ -114,12 +120,34 @@ jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model) {
         "temperature",
         "is \"static\", the default; outlet = \"pressure_matched\" or \"expanded\" needs \"stagnation\": the "
         "inflator's temperature is then that of the gas at rest");
+  const double around = scene.has_volume() ? scene.gas->initial_pressure : scene.ambient.pressure;
+  if (outlet.law != jet::OutletLaw::sonic && !(around > 0.0))
+    table.fail("outlet", fmt::format("needs a pressure around the outlet, but {} is 0; allowed: \"sonic\"",
+                                     scene.has_volume() ? "gas.initial.pressure" : "ambient.pressure"));
   outlet.area = jet::outlet_area(model);
   if (!(outlet.area > 0.0 && std::isfinite(outlet.area)))
     table.fail(model.shape == jet::OutletShape::round ? "radius" : "short_side",
                fmt::format("makes an outlet of {:.3g} m2, allowed: a finite area above 0", outlet.area));
   table.located("temperature", [&] { jet::validate(outlet); });
   return outlet;
+}
+
+// The jet at its inflator's peak: an expanded one is wider than its outlet.
+jet::JetModel at_peak(const Scene& scene, const JetPart& part) {
+  const gas::InflatorPoint gas = inflator_peak(scene, part.inflator).point;
+  const jet::OutletState outlet = jet::outlet_state(
+      part.outlet, {gas.mass_flow, gas.temperature, gas.cp, gas.gas_constant, pressure_around(scene)});
+  return jet::widened(part.field.model(), outlet.area_ratio);
+}
+
+void warn_of_square_nozzle(const jet::JetModel& model, std::size_t inflator,
+                           std::vector<std::string>& warnings) {
+  if (model.shape == jet::OutletShape::rectangular && model.short_side > model.long_side)
+    warnings.push_back(fmt::format(
+        "jet of inflator {}: its expansion makes the short side {:.3g} m at the peak, more than the long "
+        "side of {:.3g} m, "
+        "along which a wedge stays as it is: a round outlet of the same area spreads to all sides",
+        inflator, model.short_side, model.long_side));
 }
 
 // Elements wider than the jet at its outlet sample it by chance.
@@ -183,7 +211,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
   if (pieces) roles = {pieces->pieces_of(null_elements), pieces->pieces_of(attachment)};
   const Eigen::Matrix3Xi& seen = pieces ? pieces->triangles() : elements;
   table->located("", [&] {
-    const jet::OutletModel outlet = read_outlet(*table, model);
+    const jet::OutletModel outlet = read_outlet(*table, model, scene);
     jet::JetField field(model, static_cast<int>(seen.cols()), roles.null_elements);
     auto query = std::make_shared<const jet::VisibilityQuery>(
         seen, pieces ? pieces->node_count() : static_cast<int>(nodes.cols()), roles);
@@ -212,7 +240,9 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
     table->fail("jet_work", fmt::format("differs from that of inflator.{}.jet: all jets need the same",
                                         scene.jets.front().inflator));
   scene.jet_work = work;
-  warn_if_coarse(model, index, nodes, elements, subdivisions, scene.warnings);
+  const jet::JetModel widest = at_peak(scene, part);
+  warn_of_square_nozzle(widest, index, scene.warnings);
+  warn_if_coarse(widest, index, nodes, elements, subdivisions, scene.warnings);
   if (scene.target) require_target_ahead(*table, model, *scene.target);
   if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });
   table->finish();

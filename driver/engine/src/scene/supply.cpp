@@ -54,6 +54,10 @@ InflatorPeak inflator_peak(const Scene& scene, std::size_t inflator) {
   return peak;
 }
 
+double pressure_around(const Scene& scene) {
+  return scene.ambient.pressure > 0.0 ? scene.ambient.pressure : scene.gas->initial_pressure;
+}
+
 Supply supply_of(const Scene& scene) {
   const auto& model = scene.gas->model;
   Supply s{0.0, peak_flow(scene), 0.0, std::vector<double>(model.thermo.size(), 0.0), 0.0};

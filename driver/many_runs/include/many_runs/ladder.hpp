@@ -102,7 +102,7 @@ struct LadderReference {
 /// What the model's assumptions do to the full case: the lowest and the highest change, 0 among them.
 struct ModelBand {
   double low = 0.0, high = 0.0;
-  std::string lowest, highest;  // names of those rungs; empty for 0
+  std::string lowest = "full", highest = "full";  // names of those rungs
   bool cheapest_stands = true;  // the cheapest rung is within the tolerance at both ends too
 };
 
