@@ -96,7 +96,7 @@ struct JetRun {
 
   jet::OutletState outlet;  // S5, mean over the kick
   JetSkin skin;             // S6
-  /// S6; S7 applies the mask. Of the pieces if there are any, else of the elements.
+  /// S6, its restitution S5; S7 applies the mask. Of the pieces if there are any, else of the elements.
   jet::FieldState field;
   jet::FieldState elements;                         // S7, averages over the pieces; empty without pieces
   std::vector<std::uint8_t> lit;                    // S7, one per candidate
