@@ -208,7 +208,8 @@ int gasjet_jet_expansion(gasjet_handle jet, double area_ratio, double reflected,
   return call([&] {
     const Use<Jet> use(jet, "jet");
     positive(area_ratio, "area_ratio");
-    positive(reflected, "reflected");
+    if (positive(reflected, "reflected") > 1.0)
+      refuse("reflected", "is " + shown(reflected) + ", allowed: above 0, at most 1");
     if (restitution < -0.5 || restitution > 4.0)
       refuse("restitution", "is " + shown(restitution) + ", allowed: -0.5 to 4, NaN to keep it");
     if (!std::isnan(restitution)) use->state.restitution = restitution;

@@ -125,35 +125,42 @@ void print_range(const JetPart& part, const RestitutionRange& range) {
   const Range e = restitution(part);
   const std::string own = e.low < e.high
                               ? fmt::format("{:.3g} to {:.3g}", e.low, e.high)
-                              : fmt::format("{:.3g}{}", e.low, e.low == 1.0 ? ", the paper's" : "");
+                              : fmt::format("{:.3g}{}", e.low, e.low == 1.0 ? " (the paper's)" : "");
   fmt::print(
-      "  restitution {}; computed for bags {} than wide: {} to {}, first passes of the jet lowest (this "
-      "bag's "
-      "depth ahead of the outlet is {:.3g} of its width)\n",
-      own, range.deep ? "deeper" : "less deep", range.low, range.high, range.depth_over_width);
+      "  restitution is {}; computed flows in bags {} than wide have {} to {}{}, the first passes least "
+      "(here "
+      "the depth ahead of the outlet is {:.3g} of the width)\n",
+      own, range.deep ? "deeper" : "less deep", range.low, range.high,
+      range.deep ? "" : ", by one turbulence model up to 3.3", range.depth_over_width);
 }
 
 void print_missing_energy(const MissingEnergy& missing) {
   fmt::print(
-      "  temperature = \"static\" lets gas in without its V0^2/2, in all {:.3g} J{}; \"stagnation\" at "
-      "{:.4g} K is the same outlet with it\n",
+      "  temperature = \"static\" leaves out the kinetic energy V0^2/2 of the gas, in all {:.3g} J{}\n",
       missing.energy,
-      missing.pressure ? fmt::format(": up to {:.3g} Pa in the bag as sewn", *missing.pressure) : "",
-      missing.temperature);
+      missing.pressure ? fmt::format(": up to {:.3g} Pa if nothing leaves the bag as sewn", *missing.pressure)
+                       : "");
 }
 
 // What the load rests on, beside what the model makes of it.
 void print_push(const Scene& scene, const JetPart& part) {
   const JetPush push = jet_push(scene, part);
+  const bool in_motion = part.outlet.temperature == jet::OutletTemperature::static_value;
   const std::string most = push.most_load > push.load ? fmt::format(" to {:.4g}", push.most_load) : "";
+  const std::string parts =
+      push.pressure_ratio > 1.0
+          ? fmt::format(": mdot V0 = {:.4g} N and (pe - p) A = {:.4g} N at pe/p = {:.3g}", push.momentum,
+                        push.thrust - push.momentum, push.pressure_ratio)
+          : "";
   fmt::print(
-      "  load on a plate {:.4g}{} N by the model; in free air {:.4g} N, of mdot V0 = {:.4g} N and (pe - pa) "
-      "A = "
-      "{:.4g} N at pe/pa = {:.3g} (what outlet = \"expanded\" with restitution = 0 gives)\n",
-      push.load, most, push.thrust, push.momentum, push.thrust - push.momentum, push.pressure_ratio);
+      "  load on a plate: {:.4g}{} N by the model; {:.4g} N in free air{}; outlet = \"expanded\" with "
+      "restitution = 0{} gives that\n",
+      push.load, most, push.thrust, parts,
+      in_motion ? fmt::format(" and temperature = \"stagnation\" at {:.4g} K, the same outlet,",
+                              push.rest_temperature)
+                : "");
   if (const auto range = restitution_range(scene, part.field.model())) print_range(part, *range);
-  if (scene.bag && part.outlet.temperature == jet::OutletTemperature::static_value)
-    print_missing_energy(missing_energy(scene, part));
+  if (scene.bag && in_motion) print_missing_energy(missing_energy(scene, part));
 }
 
 void print_jet(const Scene& scene, const JetPart& part) {

@@ -2,6 +2,7 @@
 // The results of `gasjet check` as JSON for other programs.
 #include "forecast/check_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -129,11 +130,11 @@ Json jets_of(const Scene& scene) {
                     {"peak_time_s", peak.time},
                     {"peak_velocity_m_s", peak.outlet.velocity},
                     {"peak_density_kg_m3", peak.outlet.density},
-                    {"peak_outlet_pressure_Pa", peak.outlet.pressure},
+                    {"peak_outlet_pressure_Pa", std::max(peak.outlet.pressure, peak.sonic_pressure)},
                     {"peak_momentum_N", jet::momentum_flux(peak.outlet, part.outlet.area)},
                     {"peak_area_ratio", peak.outlet.area_ratio},
-                    {"peak_pressure_ratio",
-                     std::isfinite(push.pressure_ratio) ? Json(push.pressure_ratio) : Json(nullptr)},
+                    {"peak_pressure_ratio", push.pressure_ratio},
+                    {"rest_temperature_K", push.rest_temperature},
                     {"peak_outlet_momentum_N", push.momentum},
                     {"peak_thrust_N", push.thrust},
                     {"peak_plate_load_N", push.load},

@@ -61,6 +61,8 @@ void check_outlet(const OutletState& outlet, double restitution) {
   for (const auto& [name, value] :
        {std::pair{"jet outlet velocity", outlet.velocity}, std::pair{"jet outlet density", outlet.density}})
     if (!(value >= 0.0 && std::isfinite(value))) refuse_value<DomainError>(name, value, "finite and >= 0");
+  if (outlet.reflected > 1.0)
+    refuse_value<DomainError>("jet outlet reflected", outlet.reflected, "at most 1");
   for (const auto& [name, value] : {std::pair{"jet outlet area_ratio", outlet.area_ratio},
                                     std::pair{"jet outlet reflected", outlet.reflected}})
     if (!(value > 0.0 && std::isfinite(value))) refuse_value<DomainError>(name, value, "finite and > 0");

@@ -8,13 +8,14 @@
 
 namespace driver {
 
-/// A jet at its inflator's greatest mass flow, with ambient pressure in the bag.
+/// A jet at its inflator's greatest mass flow, with pressure_around() in the bag.
 struct JetPush {
-  double pressure_ratio = 0.0;  // [-] pe / pa of a sonic outlet
-  double momentum = 0.0;        // [N] mdot V0
-  double thrust = 0.0;          // [N] mdot V0 + (pe - pa) A, if pe > pa; what a plate in free air feels
-  double load = 0.0;            // [N] of the model on a plate; of a curve of restitution the least
-  double most_load = 0.0;       // [N] and the most
+  double pressure_ratio = 0.0;    // [-] pe / p of a sonic outlet
+  double momentum = 0.0;          // [N] mdot V0
+  double thrust = 0.0;            // [N] of an expanded outlet: what a plate in free air feels
+  double rest_temperature = 0.0;  // [K] stagnation temperature of the same outlet
+  double load = 0.0;              // [N] of the model on a plate; of a curve of restitution the least
+  double most_load = 0.0;         // [N] and the most
 };
 JetPush jet_push(const Scene& scene, const JetPart& part);
 
@@ -27,7 +28,7 @@ Range restitution(const JetPart& part);
 /// Restitution that computed flows in closed cavities of the bag's shape have.
 struct RestitutionRange {
   double depth_over_width =
-      0.0;            // [-] of the bag as sewn: ahead of the outlet, over its extent across the axis
+      0.0;            // [-] of the bag as sewn: ahead of the outlet, over the diameter of its projection
   bool deep = false;  // deeper than wide
   double low = 0.0, high = 0.0;  // [-]
 };
@@ -38,10 +39,8 @@ std::optional<RestitutionRange> restitution_range(const Scene& scene, const jet:
 struct MissingEnergy {
   double energy = 0.0;  // [J] up to the scene's end
   std::optional<double>
-      pressure;              // [Pa] that it would add in the bag as sewn if nothing flowed out; not if flat
-  double temperature = 0.0;  // [K] stagnation temperature of the same outlet, at the peak
+      pressure;  // [Pa] that it would add in the bag as sewn if nothing flowed out; not if flat
 };
-/// Precondition: the scene has a bag.
 MissingEnergy missing_energy(const Scene& scene, const JetPart& part);
 
 }  // namespace driver
