@@ -109,7 +109,10 @@ std::string end_of_band(const LadderResult& result, double change, const std::st
 void print_model(const LadderResult& result, const LadderOptions& options) {
   if (!result.model) return;
   const ModelBand& band = *result.model;
-  fmt::print("the model's own band, by direction, reflection and expansion of the jet: {} to {}\n",
+  std::vector<std::string> assumptions;
+  for (const LadderAxis& axis : result.plan.axes)
+    if (axis.kind == AxisKind::model) assumptions.push_back(axis.name);
+  fmt::print("the model's own band, by {} of the jet: {} to {}\n", fmt::join(assumptions, ", "),
              end_of_band(result, band.low, band.lowest), end_of_band(result, band.high, band.highest));
   if (result.cheapest && !band.cheapest_stands)
     fmt::print("within {:g} % of this model; with its band that verdict falls: know these first\n",

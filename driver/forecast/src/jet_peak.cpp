@@ -42,12 +42,13 @@ jet::OutletModel sonic(jet::OutletModel model) {
 
 void warn_of_restitution(const JetPart& part, std::vector<std::string>& warnings) {
   const auto [low, high] = restitution(part);
-  const double outside = high > 1.0 ? high : low;
-  if (low < 0.0 || high > 1.0)
+  // The first passes of a jet have less than 0, which only a curve can tell from the later ones.
+  const double later = part.restitution ? part.restitution->value(1.0) : low;
+  if (later < 0.0 || high > 1.0)
     warnings.push_back(fmt::format(
-        "jet of inflator {}: restitution = {:.3g}: a plate in free air has 0, the paper 1; values below 0 or "
+        "jet of inflator {}: restitution is {}: a plate in free air has 0, the paper 1; values below 0 or "
         "above 1 were computed for closed bags only (docs/theory/jet_push.md)",
-        part.inflator, outside));
+        part.inflator, low < high ? fmt::format("{:.3g} to {:.3g}", low, high) : fmt::format("{:.3g}", low)));
 }
 
 // Distance [m] that the jet has to cover.

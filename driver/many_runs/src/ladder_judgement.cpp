@@ -205,8 +205,9 @@ void judge(LadderResult& result, double tolerance, double error_rate) {
   result.model = model_band(result);
   if (result.model && result.cheapest) {
     const double error = result.rungs[*result.cheapest].error;
-    result.model->cheapest_stands =
-        std::max(error - result.model->low, result.model->high - error) <= allowed;
+    result.model->cheapest_stands = std::max(error - result.model->low, result.model->high - error) +
+                                        result.rungs[*result.cheapest].doubt <=
+                                    allowed;
   }
   result.verdict = result.cheapest ? Verdict::inside : Verdict::undecided;
 }
