@@ -125,7 +125,7 @@ class BadCalls(unittest.TestCase):
         self.each(jet.pressure, dict(nodes=NODES, triangles=TRIANGLES, velocity=1.0, density=1.0, occlusion=True), nodes=POINTS,
                   triangles=TRIANGLE_LISTS, velocity=NUMBERS, density=NUMBERS, occlusion=FLAGS, null_elements=INDICES[:-1])
         self.each(jet.pressure, dict(nodes=NODES, triangles=TRIANGLES, velocity=1.0, density=1.0, area_ratio=1.2, reflected=0.8, restitution=0.3),
-                  area_ratio=NUMBERS + [0.0, -1.0], reflected=NUMBERS + [0.0, -1.0], restitution=NUMBERS[1:] + [-0.51, 4.01])
+                  area_ratio=NUMBERS + [0.0, -1.0], reflected=NUMBERS + [0.0, -1.0, 1.001], restitution=NUMBERS[1:] + [-0.51, 4.01])
 
     def test_membrane_contact_and_pendulum(self):
         fabric = dict(reference=NODES, triangles=TRIANGLES, thickness=4e-4, density=800.0, young_modulus=3e8, poisson=0.3)

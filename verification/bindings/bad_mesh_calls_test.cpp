@@ -119,6 +119,7 @@ TEST_F(bad_calls, jet) {
   each(kNotCounted, "density", [&](double d) { return press(x(), n(), 1, d, kNan, p, m(), force); });
   each(kNotPositive, "area_ratio", [&](double a) { return gasjet_jet_expansion(jet.value, a, 1, 1); });
   each(kNotPositive, "reflected", [&](double r) { return gasjet_jet_expansion(jet.value, 1, r, 1); });
+  refused(gasjet_jet_expansion(jet.value, 1, 1.0001, 1), "reflected");
   for (const double bad : {-0.51, 4.01, kInfinity, -kInfinity})
     refused(gasjet_jet_expansion(jet.value, 1, 1, bad), "restitution");
   each_bad_handle("jet", surface.value, [&](gasjet_handle h) { return gasjet_jet_expansion(h, 1, 1, 1); });

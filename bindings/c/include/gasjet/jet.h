@@ -63,9 +63,9 @@ GASJET_API int gasjet_jet_create(const gasjet_jet_model* model, const int32_t tr
 
 /* Notional nozzle and restitution of the calls of gasjet_jet_pressure that follow. area_ratio [-] > 0: area
  * of the nozzle over the outlet's, mass_flow / (density velocity area) with the state of GASJET_EXPANDED;
- * the jet is wider by it. reflected [-] in (0, 1]: velocity in the outlet (GASJET_SONIC_STAGNATION) over that of
- * the nozzle. Both are 1 at first, and for outlets that do not expand. restitution [-]: -0.5 to 4; NaN:
- * as it is. */
+ * the jet is wider by it. reflected [-] in (0, 1]: velocity in the outlet (GASJET_SONIC_STAGNATION) over that
+ * of the nozzle. Both are 1 at first, and for outlets that do not expand. restitution [-]: -0.5 to 4; NaN: as
+ * it is. */
 GASJET_API int gasjet_jet_expansion(gasjet_handle jet, double area_ratio, double reflected,
                                     double restitution);
 
