@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls with something wrong: a status that is not GASJET_OK, a text that begins with the argument's name,
-// outputs as they were. Each test prints how many it makes: more than 300 all together.
+// Wrong calls: not GASJET_OK, a text that begins with the argument's name, outputs as they were.
 #include <atomic>
 #include <functional>
 #include <thread>
