@@ -27,9 +27,9 @@ Range restitution(const JetPart& part);
 
 /// Restitution that computed flows in closed cavities of the bag's shape have.
 struct RestitutionRange {
-  double depth_over_width =
-      0.0;            // [-] of the bag as sewn: ahead of the outlet, over the diameter of its projection
-  bool deep = false;  // deeper than wide
+  /// [-] Of the bag as sewn: its depth ahead of the outlet over the diameter of its projection.
+  double depth_over_width = 0.0;
+  bool deep = false;             // deeper than wide
   double low = 0.0, high = 0.0;  // [-]
 };
 /// Nothing without a bag, and for one that is flat as sewn or has nothing ahead of the outlet.
@@ -38,8 +38,8 @@ std::optional<RestitutionRange> restitution_range(const Scene& scene, const jet:
 /// What `temperature = "static"` leaves out: gas that enters by its static enthalpy lacks V0^2 / 2.
 struct MissingEnergy {
   double energy = 0.0;  // [J] up to the scene's end
-  std::optional<double>
-      pressure;  // [Pa] that it would add in the bag as sewn if nothing flowed out; not if flat
+  /// [Pa] What it would add in the bag as sewn if nothing flowed out; none of a bag that is flat as sewn.
+  std::optional<double> pressure{};
 };
 MissingEnergy missing_energy(const Scene& scene, const JetPart& part);
 
