@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact of a triangulated skin with itself. Layers closer than the thickness h push each other apart:
+//   (K.44) E = sum_n A_n/2 sum_f c_f kappa (h - d(n, f))^2 / 2 + sum_ee a sin^2 kappa (h/2 - d(e, e'))^2 / 2
+// where the terms with d >= h (of edges: h/2) are zero. d is the distance of the closest points of a node n
+// and a triangle, edge or node f that it does not touch in the mesh, and of two edges without a common node.
+// A_n is a third of the reference area around n. The numbers c_f are +1 for triangles, -1 for inner edges and
+// +1 for inner nodes, so that a node near several triangles of one layer counts it once, and two flat layers
+// feel the pressure kappa (h - d). Edges only keep creases from crossing, deeper than h/2; parallel ones are
+// left to their nodes.
+//
+// Distances have no sign. The side of a layer is that of the start, because no distance may reach 0: between
+// two levels all points move on straight lines, and what may have met is tested along its path.
+//
+// A node that starts closer than h to another layer has that distance as its limit in place of h, and starts
+// without force. The limit follows the node's distance up to h, never down (K.45).
+#pragma once
+#include <Eigen/Core>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "coupling/error.hpp"
+#include "coupling/skin.hpp"
+
+namespace coupling {
+
+namespace detail {
+struct SkinParts;
+struct SkinSearch;
+}  // namespace detail
+
+/// Parameters of the contact of a skin with itself.
+struct SkinContactParameters {
+  double thickness;       // [m] h > 0, at most the smallest altitude of a reference element
+  double stiffness;       // [N/m3] kappa > 0: pressure per h - d
+  double friction = 0.0;  // [-] mu >= 0
+};
+
+/// Two parts of the skin: a node and an element, or two edges.
+struct SkinPair {
+  int first[2] = {-1, -1};       // node, -1; or the nodes of an edge
+  int second[3] = {-1, -1, -1};  // nodes of the element; or nodes of an edge, -1
+  double gap = std::numeric_limits<double>::infinity();  // [m] their distance
+};
+/// "node 5 and element nodes 1, 2, 3" or "edges 1-2 and 5-6".
+std::string text_of(const SkinPair& pair);
+
+/// Result of one evaluation. The forces on the nodes sum to zero, and so do their moments.
+struct SkinContactResult {
+  double energy = 0.0;         // [J] including the stretch of sticking nodes
+  double friction_loss = 0.0;  // [J] lost since the last level
+  double omega_squared = 0.0;  // [1/s2] upper bound of the contact's omega^2 (K.46)
+  int contacts = 0;            // pairs closer than their limit
+  SkinPair closest;            // of those in contact
+  /// [m] Largest decrease of a gap since the last level, of pairs that touch or would after another such
+  /// step: the time step keeps it to a share of h (K.47).
+  double approach = 0.0;
+};
+
+/// Layers met: a gap reached 0. A stiffer contact or a shorter step prevents that.
+class GapError : public ContactError {
+ public:
+  GapError(const std::string& message, double speed_over_limit)
+      : ContactError(message), speed_over_limit_(speed_over_limit) {}
+  /// [-] Decrease of the gap in the last step over the pair's limit.
+  double approach_over_limit() const { return speed_over_limit_; }
+
+ private:
+  double speed_over_limit_;
+};
+
+/// Workspace of one run, made by SkinContactModel::make_state. It holds what the energy depends on beside the
+/// positions, the limits of nodes and edges and the stretch of friction; the rest saves work.
+class SkinContactState {
+ public:
+  SkinContactState();
+  SkinContactState(const SkinContactState&);
+  SkinContactState(SkinContactState&&) noexcept;
+  SkinContactState& operator=(const SkinContactState&);
+  SkinContactState& operator=(SkinContactState&&) noexcept;
+  ~SkinContactState();
+
+  int limited_nodes() const;       // nodes whose limit is below h
+  double smallest_limit() const;   // [m] of a node
+  int looks() const;               // counter: distances computed
+  int sweeps() const;              // counter: paths tested
+
+ private:
+  friend class SkinContactModel;
+  std::unique_ptr<detail::SkinSearch> search_;
+};
+
+/// Penalty contact of a skin with itself. Immutable.
+class SkinContactModel {
+ public:
+  /// `triangles` (3 x M) are the skin's elements, `reference` (3 x N) [m] its stress-free shape, `masses` (N)
+  /// [kg] are lumped. Elements that share a node are neighbours.
+  ///
+  /// Throws std::invalid_argument for values out of range, node numbers that do not exist, elements without
+  /// area, and a thickness above the smallest altitude of an element.
+  SkinContactModel(const Triangles& triangles, const Nodes& reference, std::span<const double> masses,
+                   const SkinContactParameters& parameters);
+
+  /// A state without a last level. `every_pair`: each level computes all distances, which costs M^2; the forces
+  /// have the same bits.
+  SkinContactState make_state(bool every_pair = false) const;
+
+  /// Adds the forces at `nodes` (3 x N) [m] to `forces`, and returns the result. Calls with one state belong
+  /// to successive levels; the first one sets the limits.
+  ///
+  /// Throws ContactError if a coordinate is not finite, GapError if parts meet on straight paths from the last
+  /// level, or at the first one; std::invalid_argument for a state of another model or wrong sizes. After an
+  /// exception `forces` and the state must not be used.
+  SkinContactResult evaluate(SkinContactState& state, const Nodes& nodes, NodalForces forces) const;
+
+  /// Bound [1/s2] with both sides of the whole skin in contact (K.46).
+  double full_omega_squared() const;
+  const SkinContactParameters& parameters() const { return parameters_; }
+
+ private:
+  SkinContactParameters parameters_;
+  std::shared_ptr<const detail::SkinParts> parts_;
+};
+
+/// Largest stiffness [N/m3] whose bound, both sides of the skin in contact, is that share of
+/// `other_omega_squared` [1/s2] for a skin of `surface_density` [kg/m2]: share omega^2 rho h / 4 (K.46). Throws
+/// std::invalid_argument for a value out of range.
+double default_skin_stiffness(double share, double other_omega_squared, double surface_density);
+
+}  // namespace coupling
