@@ -27,7 +27,7 @@ namespace coupling {
 
 namespace detail {
 struct SkinParts;
-struct SkinSearch;
+struct SkinRun;
 }  // namespace detail
 
 /// Parameters of the contact of a skin with itself.
@@ -39,8 +39,8 @@ struct SkinContactParameters {
 
 /// Two parts of the skin: a node and an element, or two edges.
 struct SkinPair {
-  int first[2] = {-1, -1};       // node, -1; or the nodes of an edge
-  int second[3] = {-1, -1, -1};  // nodes of the element; or nodes of an edge, -1
+  int first[2] = {-1, -1};                               // node, -1; or the nodes of an edge
+  int second[3] = {-1, -1, -1};                          // nodes of the element; or nodes of an edge, -1
   double gap = std::numeric_limits<double>::infinity();  // [m] their distance
 };
 /// "node 5 and element nodes 1, 2, 3" or "edges 1-2 and 5-6".
@@ -61,34 +61,35 @@ struct SkinContactResult {
 /// Layers met: a gap reached 0. A stiffer contact or a shorter step prevents that.
 class GapError : public ContactError {
  public:
-  GapError(const std::string& message, double speed_over_limit)
-      : ContactError(message), speed_over_limit_(speed_over_limit) {}
-  /// [-] Decrease of the gap in the last step over the pair's limit.
-  double approach_over_limit() const { return speed_over_limit_; }
+  GapError(const std::string& message, const SkinPair& pair, double motion)
+      : ContactError(message), pair_(pair), motion_(motion) {}
+  const SkinPair& pair() const { return pair_; }  // the parts that met
+  double motion() const { return motion_; }       // [m] relative to each other since the last level
 
  private:
-  double speed_over_limit_;
+  SkinPair pair_;
+  double motion_;
 };
 
 /// Workspace of one run, made by SkinContactModel::make_state. It holds what the energy depends on beside the
 /// positions, the limits of nodes and edges and the stretch of friction; the rest saves work.
 class SkinContactState {
  public:
-  SkinContactState();
-  SkinContactState(const SkinContactState&);
-  SkinContactState(SkinContactState&&) noexcept;
-  SkinContactState& operator=(const SkinContactState&);
-  SkinContactState& operator=(SkinContactState&&) noexcept;
+  SkinContactState(const SkinContactState& other);
+  SkinContactState(SkinContactState&& other) noexcept;
+  SkinContactState& operator=(const SkinContactState& other);
+  SkinContactState& operator=(SkinContactState&& other) noexcept;
   ~SkinContactState();
 
-  int limited_nodes() const;       // nodes whose limit is below h
-  double smallest_limit() const;   // [m] of a node
-  int looks() const;               // counter: distances computed
-  int sweeps() const;              // counter: paths tested
+  int limited_nodes() const;      // nodes whose limit is below h
+  double smallest_limit() const;  // [m] of a node
+  long looks() const;             // counter: distances computed
+  long sweeps() const;            // counter: paths tested
 
  private:
   friend class SkinContactModel;
-  std::unique_ptr<detail::SkinSearch> search_;
+  explicit SkinContactState(std::unique_ptr<detail::SkinRun> run);
+  std::unique_ptr<detail::SkinRun> run_;
 };
 
 /// Penalty contact of a skin with itself. Immutable.
@@ -102,16 +103,16 @@ class SkinContactModel {
   SkinContactModel(const Triangles& triangles, const Nodes& reference, std::span<const double> masses,
                    const SkinContactParameters& parameters);
 
-  /// A state without a last level. `every_pair`: each level computes all distances, which costs M^2; the forces
-  /// have the same bits.
+  /// A state without a last level. `every_pair`: each level computes all distances, which costs M^2; the
+  /// forces have the same bits.
   SkinContactState make_state(bool every_pair = false) const;
 
   /// Adds the forces at `nodes` (3 x N) [m] to `forces`, and returns the result. Calls with one state belong
   /// to successive levels; the first one sets the limits.
   ///
-  /// Throws ContactError if a coordinate is not finite, GapError if parts meet on straight paths from the last
-  /// level, or at the first one; std::invalid_argument for a state of another model or wrong sizes. After an
-  /// exception `forces` and the state must not be used.
+  /// Throws ContactError if a coordinate is not finite, GapError if parts meet on straight paths from the
+  /// last level, or at the first one; std::invalid_argument for a state of another model or wrong sizes.
+  /// After an exception `forces` and the state must not be used.
   SkinContactResult evaluate(SkinContactState& state, const Nodes& nodes, NodalForces forces) const;
 
   /// Bound [1/s2] with both sides of the whole skin in contact (K.46).
@@ -124,8 +125,8 @@ class SkinContactModel {
 };
 
 /// Largest stiffness [N/m3] whose bound, both sides of the skin in contact, is that share of
-/// `other_omega_squared` [1/s2] for a skin of `surface_density` [kg/m2]: share omega^2 rho h / 4 (K.46). Throws
-/// std::invalid_argument for a value out of range.
+/// `other_omega_squared` [1/s2] for a skin of `surface_density` [kg/m2]: share omega^2 rho h / 4 (K.46).
+/// Throws std::invalid_argument for a value out of range.
 double default_skin_stiffness(double share, double other_omega_squared, double surface_density);
 
 }  // namespace coupling

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skin_forces.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace coupling::detail {
+namespace {
+
+using Eigen::Vector3d;
+
+}  // namespace
+
+void Limits::set_from_least() {
+  limit_ = least_;
+  for (std::size_t i = 0; i < limit_.size(); ++i)
+    if (limit_[i] < reach_) small_.push_back(static_cast<int>(i));
+  std::ranges::fill(least_, reach_);
+}
+
+void Limits::raise() {
+  std::erase_if(small_, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    limit_[k] = std::max(limit_[k], least_[k]);
+    least_[k] = reach_;
+    return !(limit_[k] < reach_);
+  });
+}
+
+SkinMemory::SkinMemory(const SkinParts& parts)
+    : node_limits(parts.masses.size(), parts.parameters.thickness),
+      edge_limits(parts.edges.size(), parts.reach_of_edges()),
+      stiffness(parts.masses.size(), 0.0) {}
+
+// Adds a spring of two points, the weights of which are positive in the first part: kappa a (L - d) along the
+// normal.
+void SkinForces::push(const int (&node)[4], int corners, const double* weight, const Vector3d& normal,
+                      double stiffness, double depth) {
+  result_.energy += 0.5 * stiffness * depth * depth;
+  const Vector3d force = stiffness * depth * normal;
+  for (int k = 0; k < corners; ++k) {
+    if (weight[k] == 0.0) continue;
+    forces_.col(node[k]) += weight[k] * force;
+    double& sum = memory_.stiffness[static_cast<std::size_t>(node[k])];
+    if (sum == 0.0) memory_.loaded.push_back(node[k]);
+    // The weights of each part sum to 1.
+    sum += 2.0 * stiffness * std::abs(weight[k]);
+  }
+}
+
+// An inner edge or, if both are one, an inner node of a layer that a node is near.
+void SkinForces::add_feature(int node, int first, int second, double count, double limit) {
+  const Vector3d x = nodes_.col(node), a = nodes_.col(first), b = nodes_.col(second);
+  const double t = first == second ? 0.0 : closest_on_segment(x, a, b);
+  const Vector3d apart = (x - a) - t * (b - a);
+  const double distance = apart.norm();
+  if (!(distance < limit)) return;
+  const double weight[] = {1.0, t - 1.0, -t};
+  push({node, first, second, -1}, first == second ? 2 : 3, weight, apart / distance,
+       count * parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)],
+       limit - distance);
+}
+
+void SkinForces::note(const Touch& touch) {
+  ++result_.contacts;
+  if (!(touch.closest.distance < result_.closest.gap)) return;
+  result_.closest = named(parts_, touch.pair, touch.closest.distance);
+}
+
+void SkinForces::add_node(const Touch& touch) {
+  const auto [node, triangle, edges] = touch.pair;
+  const Closest& closest = touch.closest;
+  const double limit = memory_.node_limits[node];
+  if (!(closest.distance < limit)) return;
+  note(touch);
+  const Corners corners = corners_of(parts_, touch.pair);
+  const double stiffness = parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)];
+  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit - closest.distance);
+  for (int k = 0; k < 3; ++k) {
+    const int edge = parts_.triangle_edges(k, triangle), corner = corners.node[k + 1];
+    if (parts_.edge_owner[static_cast<std::size_t>(edge)] == triangle)
+      if (const int count = parts_.count_of_edge(edge, node); count != 0)
+        add_feature(node, corners.node[(k + 1) % 3 + 1], corners.node[(k + 2) % 3 + 1], count, limit);
+    if (parts_.node_owner[static_cast<std::size_t>(corner)] == triangle)
+      if (const int count = parts_.node_count[static_cast<std::size_t>(corner)];
+          count != 0 && !parts_.adjacent(node, corner))
+        add_feature(node, corner, corner, count, limit);
+  }
+}
+
+// Two edges: their share is the squared sine of their angle, which turns them, too.
+void SkinForces::add_edges(const Touch& touch) {
+  const auto [first, second, edges] = touch.pair;
+  const Closest& closest = touch.closest;
+  const double limit = std::min(memory_.edge_limits[first], memory_.edge_limits[second]);
+  if (!(closest.distance < limit)) return;
+  const Corners corners = corners_of(parts_, touch.pair);
+  const auto& node = corners.node;
+  const Vector3d u = nodes_.col(node[1]) - nodes_.col(node[0]), v = nodes_.col(node[3]) - nodes_.col(node[2]);
+  const double lu = u.norm(), lv = v.norm();
+  if (!(lu > 0.0 && lv > 0.0)) return;
+  const Vector3d e = u / lu, f = v / lv;
+  const double cosine = e.dot(f), sine2 = e.cross(f).squaredNorm();
+  note(touch);
+  const double stiffness =
+      parts_.parameters.stiffness * (parts_.edge_weight[static_cast<std::size_t>(first)] +
+                                     parts_.edge_weight[static_cast<std::size_t>(second)]);
+  const double depth = limit - closest.distance;
+  push(node, 4, closest.weight.data(), closest.normal, stiffness * sine2, depth);
+  const double turning = stiffness * depth * depth * cosine;  // -dE/du = turning (f - cosine e) / |u|
+  const Vector3d on_u = turning / lu * (f - cosine * e), on_v = turning / lv * (e - cosine * f);
+  forces_.col(node[1]) += on_u;
+  forces_.col(node[0]) -= on_u;
+  forces_.col(node[3]) += on_v;
+  forces_.col(node[2]) -= on_v;
+}
+
+void SkinForces::add() {
+  for (const Touch& touch : search_.touches()) {
+    if (touch.pair.edges) {
+      memory_.edge_limits.tell(touch.pair.first, touch.closest.distance);
+      memory_.edge_limits.tell(touch.pair.second, touch.closest.distance);
+    } else {
+      memory_.node_limits.tell(touch.pair.first, touch.closest.distance);
+    }
+  }
+  if (search_.first_level()) {
+    memory_.node_limits.set_from_least();
+    memory_.edge_limits.set_from_least();
+  }
+  for (const Touch& touch : search_.touches()) touch.pair.edges ? add_edges(touch) : add_node(touch);
+  if (!search_.first_level()) {
+    memory_.node_limits.raise();
+    memory_.edge_limits.raise();
+  }
+  for (const int n : memory_.loaded) {
+    double& sum = memory_.stiffness[static_cast<std::size_t>(n)];
+    result_.omega_squared = std::max(result_.omega_squared, sum / parts_.masses[static_cast<std::size_t>(n)]);
+    sum = 0.0;
+  }
+  memory_.loaded.clear();
+}
+
+}  // namespace coupling::detail

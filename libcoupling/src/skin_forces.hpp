@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forces, energy and stiffness of the parts of a skin that touch (K.44 to K.46).
+#pragma once
+#include <vector>
+
+#include "skin_search.hpp"
+
+namespace coupling::detail {
+
+/// Limit of each node or edge in place of its reach, and those that still have a smaller one (K.45).
+class Limits {
+ public:
+  Limits(std::size_t count, double reach) : reach_(reach), limit_(count, reach), least_(count, reach) {}
+  double operator[](int i) const { return limit_[static_cast<std::size_t>(i)]; }
+  /// Tells a distance at this level.
+  void tell(int i, double distance) {
+    double& least = least_[static_cast<std::size_t>(i)];
+    if (distance < least) least = distance;
+  }
+  void set_from_least();                                    // at the first level
+  void raise();                                             // after each other one
+  const std::vector<int>& small() const { return small_; }  // that are below the reach
+
+ private:
+  double reach_;
+  std::vector<double> limit_, least_;  // [m]
+  std::vector<int> small_;
+};
+
+/// What a run remembers beside its search.
+struct SkinMemory {
+  explicit SkinMemory(const SkinParts& parts);
+  Limits node_limits, edge_limits;
+  std::vector<double> stiffness;  // (N) [N/m] 0 between calls
+  std::vector<int> loaded;        // nodes with a stiffness
+};
+
+/// Adds the forces of one level to `forces`, and fills the result but for what the search gives.
+class SkinForces {
+ public:
+  SkinForces(const SkinSearch& search, const Nodes& nodes, SkinMemory& memory, NodalForces& forces,
+             SkinContactResult& result)
+      : search_(search),
+        parts_(*search.parts()),
+        nodes_(nodes),
+        memory_(memory),
+        forces_(forces),
+        result_(result) {}
+  void add();
+
+ private:
+  void add_node(const Touch& touch);
+  void add_edges(const Touch& touch);
+  void add_feature(int node, int first, int second, double count, double limit);
+  void push(const int (&node)[4], int corners, const double* weight, const Eigen::Vector3d& normal,
+            double stiffness, double depth);
+  void note(const Touch& touch);
+
+  const SkinSearch& search_;
+  const SkinParts& parts_;
+  const Nodes& nodes_;
+  SkinMemory& memory_;
+  NodalForces& forces_;
+  SkinContactResult& result_;
+};
+
+}  // namespace coupling::detail

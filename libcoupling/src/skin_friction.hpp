@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Friction between layers of a skin: (K.16) and (K.17) for nodes that touch elements.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "skin_forces.hpp"
+
+namespace coupling::detail {
+
+/// A node that sticks to a layer or slides on it.
+struct SkinBristle {
+  int triangle = -1;                                  // of the layer; -1: none
+  Eigen::Vector3d stretch = Eigen::Vector3d::Zero();  // [m] tangential, of the node against the element
+};
+
+/// The bristles of a run, for each node one on each of its sides.
+class SkinFriction {
+ public:
+  explicit SkinFriction(const SkinParts& parts);
+  /// Adds the friction of one level. `motion` (3 x N) [m] is that of the nodes since the last level.
+  void add(const std::vector<Touch>& touches, const SkinParts& parts, const Limits& limits,
+           const Eigen::Matrix3Xd& motion, NodalForces& forces, SkinContactResult& result);
+
+ private:
+  using Sides = std::array<SkinBristle, 2>;
+  SkinBristle take(int node, int triangle, const SkinParts& parts);
+  void add(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& motion,
+           NodalForces& forces, SkinContactResult& result);
+  double release(const SkinParts& parts);
+
+  std::vector<Sides> now_, before_;      // by node
+  std::vector<int> held_, held_before_;  // nodes that have some
+};
+
+}  // namespace coupling::detail

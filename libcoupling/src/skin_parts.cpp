@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skin_parts.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+#include "check.hpp"
+
+namespace coupling::detail {
+namespace {
+
+using Eigen::Vector3d;
+
+void require_parameters(const SkinContactParameters& parameters) {
+  require_positive("self_contact.thickness", parameters.thickness);
+  require_positive("self_contact.stiffness", parameters.stiffness);
+  require_not_negative("self_contact.friction", parameters.friction);
+}
+
+// Throws unless the thickness is below all altitudes.
+double area_of(const Triangles& triangles, const Nodes& reference, Eigen::Index e, double thickness) {
+  const Vector3d a = reference.col(triangles(0, e)), b = reference.col(triangles(1, e)),
+                 c = reference.col(triangles(2, e));
+  const double area = 0.5 * (b - a).cross(c - a).norm();
+  require_positive("self_contact: area of element " + std::to_string(e), area);
+  const double altitude = 2.0 * area / std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  if (thickness > altitude)
+    reject("self_contact.thickness", text(thickness, 3) + " m",
+           "at most the smallest altitude of an element: " + text(altitude, 3) + " m of element " +
+               std::to_string(e));
+  return area;
+}
+
+struct Corner {
+  std::array<int, 2> edge;
+  int triangle, corner;
+};
+
+std::vector<Corner> corners_by_edge(const Eigen::Matrix3Xi& triangles) {
+  std::vector<Corner> corners;
+  for (int e = 0; e < triangles.cols(); ++e)
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(triangles((k + 1) % 3, e), triangles((k + 2) % 3, e));
+      corners.push_back({{low, high}, e, k});
+    }
+  std::ranges::sort(corners, [](const Corner& x, const Corner& y) {
+    return std::tie(x.edge, x.triangle) < std::tie(y.edge, y.triangle);
+  });
+  return corners;
+}
+
+void find_edges(SkinParts& parts) {
+  parts.triangle_edges.resize(3, parts.triangles.cols());
+  const auto corners = corners_by_edge(parts.triangles);
+  for (std::size_t i = 0; i < corners.size();) {
+    std::vector<int> opposite;
+    const std::size_t begin = i;
+    for (; i < corners.size() && corners[i].edge == corners[begin].edge; ++i) {
+      opposite.push_back(parts.triangles(corners[i].corner, corners[i].triangle));
+      parts.triangle_edges(corners[i].corner, corners[i].triangle) = static_cast<int>(parts.edges.size());
+    }
+    parts.edges.push_back(corners[begin].edge);
+    parts.edge_owner.push_back(corners[begin].triangle);
+    parts.edge_count.push_back(1 - static_cast<int>(opposite.size()));
+    parts.opposite.add(opposite);
+  }
+}
+
+void find_neighbours(SkinParts& parts, std::size_t node_count) {
+  std::vector<std::vector<int>> joined(node_count);
+  for (const auto& [a, b] : parts.edges) {
+    joined[static_cast<std::size_t>(a)].push_back(b);
+    joined[static_cast<std::size_t>(b)].push_back(a);
+  }
+  for (auto& list : joined) {
+    std::ranges::sort(list);
+    parts.neighbours.add(list);
+  }
+}
+
+void count_nodes(SkinParts& parts, std::size_t node_count) {
+  parts.node_owner.assign(node_count, -1);
+  parts.node_count.assign(node_count, 1);
+  for (int e = 0; e < parts.triangles.cols(); ++e)
+    for (const int node : parts.triangles.col(e)) {
+      const auto n = static_cast<std::size_t>(node);
+      if (parts.node_owner[n] < 0) parts.node_owner[n] = e;
+      --parts.node_count[n];
+    }
+  for (std::size_t e = 0; e < parts.edges.size(); ++e)
+    for (const int node : parts.edges[e])
+      parts.node_count[static_cast<std::size_t>(node)] -= parts.edge_count[e];
+}
+
+// Gives each node and edge to the group of its first element.
+void share_out(SkinParts& parts) {
+  const auto groups = parts.groups.count();
+  std::vector<int> group_of(parts.groups.elements.size());
+  for (std::size_t k = 0; k < parts.groups.elements.size(); ++k)
+    group_of[static_cast<std::size_t>(parts.groups.elements[k])] = static_cast<int>(k / ElementGroups::kSize);
+  const auto lists_of = [&](const std::vector<int>& owner) {
+    std::vector<std::vector<int>> list(groups);
+    for (std::size_t i = 0; i < owner.size(); ++i)
+      if (owner[i] >= 0)
+        list[static_cast<std::size_t>(group_of[static_cast<std::size_t>(owner[i])])].push_back(
+            static_cast<int>(i));
+    Lists lists;
+    for (const auto& l : list) lists.add(l);
+    return lists;
+  };
+  parts.group_nodes = lists_of(parts.node_owner);
+  parts.group_edges = lists_of(parts.edge_owner);
+}
+
+void weigh(SkinParts& parts, const Nodes& reference) {
+  parts.node_weight.assign(parts.masses.size(), 0.0);
+  parts.edge_weight.assign(parts.edges.size(), 0.0);
+  for (Eigen::Index e = 0; e < parts.triangles.cols(); ++e) {
+    const double area = area_of(parts.triangles, reference, e, parts.parameters.thickness);
+    for (int k = 0; k < 3; ++k) {
+      parts.node_weight[static_cast<std::size_t>(parts.triangles(k, e))] += area / 6.0;
+      parts.edge_weight[static_cast<std::size_t>(parts.triangle_edges(k, e))] += area / 6.0;
+    }
+  }
+  for (const auto& [a, b] : parts.edges) parts.mean_edge += (reference.col(a) - reference.col(b)).norm();
+  parts.mean_edge /= static_cast<double>(parts.edges.size());
+  double largest = 0.0;
+  for (std::size_t n = 0; n < parts.masses.size(); ++n)
+    largest = std::max(largest, parts.node_weight[n] / parts.masses[n]);
+  parts.full_omega_squared = 8.0 * parts.parameters.stiffness * largest;
+}
+
+}  // namespace
+
+SkinParts::SkinParts(const Triangles& given, const Nodes& reference, std::span<const double> given_masses,
+                     const SkinContactParameters& given_parameters)
+    : parameters(given_parameters), triangles(given), masses(given_masses.begin(), given_masses.end()) {
+  require_parameters(parameters);
+  require_nodes("self_contact.triangles", triangles, reference.cols());
+  if (triangles.cols() == 0) reject("self_contact.triangles", "none", "at least one");
+  if (masses.size() != static_cast<std::size_t>(reference.cols()))
+    reject("self_contact.masses", std::to_string(masses.size()) + " values", "one value a node");
+  for (std::size_t a = 0; a < masses.size(); ++a)
+    require_positive("self_contact.masses[" + std::to_string(a) + "]", masses[a]);
+  find_edges(*this);
+  find_neighbours(*this, masses.size());
+  count_nodes(*this, masses.size());
+  weigh(*this, reference);
+  groups = make_groups(triangles, reference);
+  share_out(*this);
+}
+
+bool SkinParts::adjacent(int node, int other) const {
+  if (node == other) return true;
+  const auto list = neighbours[node];
+  return std::ranges::binary_search(list, other);
+}
+
+}  // namespace coupling::detail

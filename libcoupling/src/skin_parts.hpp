@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes, edges and triangles of a skin, and which of them are neighbours.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "coupling/element_groups.hpp"
+#include "coupling/skin_contact.hpp"
+
+namespace coupling::detail {
+
+/// Lists one after the other: list i has items[first[i]] to items[first[i + 1]].
+struct Lists {
+  std::vector<int> items;
+  std::vector<std::size_t> first{0};
+  std::span<const int> operator[](int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    return {items.data() + first[k], first[k + 1] - first[k]};
+  }
+  void add(std::span<const int> list) {
+    items.insert(items.end(), list.begin(), list.end());
+    first.push_back(items.size());
+  }
+};
+
+/// The constant part of a skin's contact with itself.
+struct SkinParts {
+  SkinParts(const Triangles& triangles, const Nodes& reference, std::span<const double> masses,
+            const SkinContactParameters& parameters);
+
+  /// Number c_f of an inner edge for a node: 1 less the triangles at it that do not have the node (K.44).
+  int count_of_edge(int edge, int node) const {
+    int count = edge_count[static_cast<std::size_t>(edge)];
+    for (const int other : opposite[edge]) count += other == node;
+    return count;
+  }
+  /// Distance [m] at which edges touch: they only keep creases from crossing.
+  double reach_of_edges() const { return 0.5 * parameters.thickness; }
+  double reach_of(bool of_edges) const { return of_edges ? reach_of_edges() : parameters.thickness; }
+  /// True if an edge joins the nodes, or they are one.
+  bool adjacent(int node, int other) const;
+
+  SkinContactParameters parameters;
+  Eigen::Matrix3Xi triangles;               // (3 x M)
+  std::vector<std::array<int, 2>> edges;    // (E) nodes, ascending
+  Eigen::Matrix3Xi triangle_edges;          // (3 x M) edge k is opposite corner k
+  Lists opposite;                           // (E) corners opposite to the edge, one a triangle
+  Lists neighbours;                         // (N) nodes joined to it, ascending
+  std::vector<int> edge_owner, node_owner;  // first triangle with it
+  std::vector<int> edge_count, node_count;  // c_f without neighbours
+  std::vector<double> node_weight;          // (N) [m2] A_n/2
+  std::vector<double> edge_weight;          // (E) [m2] a sixth of the triangles at it
+  std::vector<double> masses;               // (N) [kg]
+  double mean_edge = 0.0;                   // [m]
+  double full_omega_squared = 0.0;          // [1/s2]
+  ElementGroups groups;
+  Lists group_nodes, group_edges;  // that belong to a group, each to one
+};
+
+}  // namespace coupling::detail

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact of a skin with itself (K.44): energy and forces, pressure of flat layers, momentum, limits (K.45).
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "skin_scenes.hpp"
+
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr double kThickness = 0.01, kStiffness = 1e7;
+
+// Uneven plates that are close, and were far at the level before.
+struct Pressed {
+  scenes::Skin skin;
+  coupling::SkinContactModel model;
+  coupling::SkinContactState state;
+  Matrix3Xd nodes;
+  static constexpr int lower = 49;  // nodes of the lower plate
+
+  explicit Pressed(double gap, double friction = 0.0)
+      : skin(scenes::two_plates(6, 5, 0.3, 0.03)),
+        model(scenes::skin_contact(skin, kThickness, kStiffness, friction)),
+        state(model.make_state()),
+        nodes(skin.nodes) {
+    scenes::level_of(model, state, nodes);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.1, Vector3d(0.01, 0.02, 1.0).normalized()).matrix();
+    for (Eigen::Index a = lower; a < nodes.cols(); ++a)
+      nodes.col(a) = turn * (nodes.col(a) - Vector3d(0.0, 0.0, 0.03)) + Vector3d(0.007, 0.011, gap);
+    scenes::Skin moved = skin;
+    moved.nodes = nodes;
+    scenes::shake(moved, 0.1 * gap, 7);
+    nodes = moved.nodes;
+    moved.nodes.rightCols(36).row(2).array() += 0.5 * kThickness;
+    scenes::level_of(model, state, moved.nodes);
+  }
+};
+
+class SkinContactAtGap : public testing::TestWithParam<double> {};
+
+// At 0.7 h the nodes touch, at 0.35 h the edges too.
+TEST_P(SkinContactAtGap, TheForcesAreTheGradientOfTheEnergy) {
+  Pressed pressed(GetParam() * kThickness);
+  coupling::SkinContactState state = pressed.state;
+  const auto at = scenes::level_of(pressed.model, state, pressed.nodes);
+  ASSERT_GT(at.result.contacts, 60);
+  const double largest = at.forces.cwiseAbs().maxCoeff(), step = 1e-8;
+  double worst = 0.0;
+  for (Eigen::Index i = 0; i < pressed.nodes.size(); ++i) {
+    double energy[2];
+    for (const int side : {0, 1}) {
+      Matrix3Xd nodes = pressed.nodes;
+      nodes(i) += side == 0 ? -step : step;
+      coupling::SkinContactState from = pressed.state;
+      energy[side] = scenes::level_of(pressed.model, from, nodes).result.energy;
+    }
+    worst = std::max(worst, std::abs((energy[0] - energy[1]) / (2.0 * step) - at.forces(i)));
+  }
+  EXPECT_LT(worst, 1e-5 * largest);
+}
+
+TEST_P(SkinContactAtGap, MomentumAndItsMomentStay) {
+  Pressed pressed(GetParam() * kThickness);
+  const auto at = scenes::level_of(pressed.model, pressed.state, pressed.nodes);
+  Vector3d moment = Vector3d::Zero();
+  double size = 0.0;
+  for (Eigen::Index a = 0; a < pressed.nodes.cols(); ++a) {
+    moment += pressed.nodes.col(a).cross(at.forces.col(a));
+    size += at.forces.col(a).norm();
+  }
+  EXPECT_LT(at.forces.rowwise().sum().norm(), 1e-14 * size);
+  EXPECT_LT(moment.norm(), 1e-14 * size);
+}
+INSTANTIATE_TEST_SUITE_P(Gaps, SkinContactAtGap, testing::Values(0.7, 0.35));
+
+// Nodes over nodes, over edges and over triangles: each node counts once.
+TEST(SkinContactForce, FlatLayersFeelThePressureOfTheirGapWhateverTheirMeshes) {
+  for (const int cells : {6, 7, 12}) {
+    const scenes::Skin skin = scenes::two_plates(6, cells, 0.3, 0.03);
+    const auto model = scenes::skin_contact(skin, kThickness, kStiffness);
+    auto state = model.make_state();
+    scenes::level_of(model, state, skin.nodes);
+    const Eigen::Index upper = skin.nodes.cols() - 49;
+    Matrix3Xd nodes = skin.nodes;
+    for (const double gap : {0.9, 0.7, 0.51}) {
+      nodes.rightCols(upper).row(2).setConstant(gap * kThickness);
+      const auto level = scenes::level_of(model, state, nodes);
+      const double pressure = kStiffness * (1.0 - gap) * kThickness, area = 0.09;
+      EXPECT_NEAR(level.forces.rightCols(upper).row(2).sum(), pressure * area, 1e-12 * pressure * area);
+      EXPECT_NEAR(level.result.energy, 0.5 * pressure * pressure / kStiffness * area,
+                  1e-11 * pressure * pressure / kStiffness * area);
+      EXPECT_NEAR(level.result.closest.gap, gap * kThickness, 1e-15);
+    }
+  }
+}
+
+TEST(SkinContactForce, LayersThatStartCloseStartAtRestAndTheirLimitGrows) {
+  const scenes::Skin skin = scenes::two_plates(6, 5, 0.3, 0.6 * kThickness);
+  const auto model = scenes::skin_contact(skin, kThickness, kStiffness);
+  auto state = model.make_state();
+  Matrix3Xd nodes = skin.nodes;
+  const auto force_at = [&](double gap) {
+    nodes.rightCols(36).row(2).setConstant(gap * kThickness);
+    return scenes::level_of(model, state, nodes).forces.rightCols(36).row(2).sum() /
+           (kStiffness * kThickness * 0.09);
+  };
+  EXPECT_EQ(force_at(0.6), 0.0);
+  EXPECT_EQ(state.limited_nodes(), 49 + 36);
+  EXPECT_NEAR(state.smallest_limit(), 0.6 * kThickness, 1e-15);
+  EXPECT_NEAR(force_at(0.55), 0.05, 1e-12);
+  EXPECT_EQ(force_at(0.8), 0.0);
+  EXPECT_NEAR(force_at(0.7), 0.1, 1e-12);  // the limit is now 0.8 h
+  EXPECT_EQ(force_at(1.2), 0.0);
+  EXPECT_EQ(state.limited_nodes(), 0);
+  EXPECT_NEAR(force_at(0.7), 0.3, 1e-12);
+}
+
+}  // namespace

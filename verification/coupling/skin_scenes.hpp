@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skins in contact with themselves, for several tests.
+#pragma once
+#include "closed_skins.hpp"
+#include "coupling/skin_contact.hpp"
+
+namespace scenes {
+
+inline coupling::SkinContactModel skin_contact(const Skin& skin, double thickness, double stiffness,
+                                               double friction = 0.0) {
+  return {skin.triangles, skin.nodes, skin.masses, {thickness, stiffness, friction}};
+}
+
+/// A level of a skin in contact with itself.
+struct SkinLevel {
+  coupling::SkinContactResult result;
+  Eigen::Matrix3Xd forces;  // [N]
+};
+inline SkinLevel level_of(const coupling::SkinContactModel& model, coupling::SkinContactState& state,
+                          const Eigen::Matrix3Xd& nodes) {
+  SkinLevel level;
+  level.forces.setZero(3, nodes.cols());
+  level.result = model.evaluate(state, nodes, level.forces);
+  return level;
+}
+
+/// Two plates of the same square, `gap` [m] apart in z. The upper one has its own number of cells.
+inline Skin two_plates(int cells, int upper_cells, double side, double gap) {
+  Skin upper = plate(upper_cells, side / upper_cells);
+  upper.nodes.row(2).array() += gap;
+  return joined(plate(cells, side / cells), upper);
+}
+
+}  // namespace scenes
