@@ -33,10 +33,11 @@ SkinMemory::SkinMemory(const SkinParts& parts)
       edge_limits(parts.edges.size(), parts.reach_of_edges()),
       stiffness(parts.masses.size(), 0.0) {}
 
-// Adds a spring of two points, the weights of which are positive in the first part: kappa a (L - d) along the
-// normal.
+// Adds a repulsion of two points, the weights of which are positive in the first part, along the normal
+// (K.44).
 void SkinForces::push(const int (&node)[4], int corners, const double* weight, const Vector3d& normal,
-                      double stiffness, double depth) {
+                      double stiffness, double limit, double distance) {
+  const double depth = limit - distance;
   result_.energy += 0.5 * stiffness * depth * depth;
   const Vector3d force = stiffness * depth * normal;
   for (int k = 0; k < corners; ++k) {
@@ -44,8 +45,7 @@ void SkinForces::push(const int (&node)[4], int corners, const double* weight, c
     forces_.col(node[k]) += weight[k] * force;
     double& sum = memory_.stiffness[static_cast<std::size_t>(node[k])];
     if (sum == 0.0) memory_.loaded.push_back(node[k]);
-    // The weights of each part sum to 1.
-    sum += 2.0 * stiffness * std::abs(weight[k]);
+    sum += 2.0 * stiffness * std::abs(weight[k]);  // the weights of each part sum to 1
   }
 }
 
@@ -58,8 +58,8 @@ void SkinForces::add_feature(int node, int first, int second, double count, doub
   if (!(distance < limit)) return;
   const double weight[] = {1.0, t - 1.0, -t};
   push({node, first, second, -1}, first == second ? 2 : 3, weight, apart / distance,
-       count * parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)],
-       limit - distance);
+       count * parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)], limit,
+       distance);
 }
 
 void SkinForces::note(const Touch& touch) {
@@ -76,51 +76,37 @@ void SkinForces::add_node(const Touch& touch) {
   note(touch);
   const Corners corners = corners_of(parts_, touch.pair);
   const double stiffness = parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)];
-  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit - closest.distance);
+  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance);
   for (int k = 0; k < 3; ++k) {
     const int edge = parts_.triangle_edges(k, triangle), corner = corners.node[k + 1];
     if (parts_.edge_owner[static_cast<std::size_t>(edge)] == triangle)
       if (const int count = parts_.count_of_edge(edge, node); count != 0)
         add_feature(node, corners.node[(k + 1) % 3 + 1], corners.node[(k + 2) % 3 + 1], count, limit);
     if (parts_.node_owner[static_cast<std::size_t>(corner)] == triangle)
-      if (const int count = parts_.node_count[static_cast<std::size_t>(corner)];
-          count != 0 && !parts_.adjacent(node, corner))
+      if (const int count = parts_.count_of_node(corner, node); count != 0)
         add_feature(node, corner, corner, count, limit);
   }
 }
 
-// Two edges: their share is the squared sine of their angle, which turns them, too.
 void SkinForces::add_edges(const Touch& touch) {
   const auto [first, second, edges] = touch.pair;
   const Closest& closest = touch.closest;
   const double limit = std::min(memory_.edge_limits[first], memory_.edge_limits[second]);
   if (!(closest.distance < limit)) return;
   const Corners corners = corners_of(parts_, touch.pair);
-  const auto& node = corners.node;
-  const Vector3d u = nodes_.col(node[1]) - nodes_.col(node[0]), v = nodes_.col(node[3]) - nodes_.col(node[2]);
-  const double lu = u.norm(), lv = v.norm();
-  if (!(lu > 0.0 && lv > 0.0)) return;
-  const Vector3d e = u / lu, f = v / lv;
-  const double cosine = e.dot(f), sine2 = e.cross(f).squaredNorm();
   note(touch);
   const double stiffness =
       parts_.parameters.stiffness * (parts_.edge_weight[static_cast<std::size_t>(first)] +
                                      parts_.edge_weight[static_cast<std::size_t>(second)]);
-  const double depth = limit - closest.distance;
-  push(node, 4, closest.weight.data(), closest.normal, stiffness * sine2, depth);
-  const double turning = stiffness * depth * depth * cosine;  // -dE/du = turning (f - cosine e) / |u|
-  const Vector3d on_u = turning / lu * (f - cosine * e), on_v = turning / lv * (e - cosine * f);
-  forces_.col(node[1]) += on_u;
-  forces_.col(node[0]) -= on_u;
-  forces_.col(node[3]) += on_v;
-  forces_.col(node[2]) -= on_v;
+  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance);
 }
 
 void SkinForces::add() {
   for (const Touch& touch : search_.touches()) {
     if (touch.pair.edges) {
-      memory_.edge_limits.tell(touch.pair.first, touch.closest.distance);
-      memory_.edge_limits.tell(touch.pair.second, touch.closest.distance);
+      const double limit = SkinParts::kEdgeShare * touch.closest.distance;
+      memory_.edge_limits.tell(touch.pair.first, limit);
+      memory_.edge_limits.tell(touch.pair.second, limit);
     } else {
       memory_.node_limits.tell(touch.pair.first, touch.closest.distance);
     }

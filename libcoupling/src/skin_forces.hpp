@@ -53,7 +53,7 @@ class SkinForces {
   void add_edges(const Touch& touch);
   void add_feature(int node, int first, int second, double count, double limit);
   void push(const int (&node)[4], int corners, const double* weight, const Eigen::Vector3d& normal,
-            double stiffness, double depth);
+            double stiffness, double limit, double distance);
   void note(const Touch& touch);
 
   const SkinSearch& search_;

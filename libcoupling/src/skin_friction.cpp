@@ -51,8 +51,8 @@ SkinBristle SkinFriction::take(int node, int triangle, const SkinParts& parts) {
   return {};
 }
 
-void SkinFriction::add(const Touch& touch, double depth, const SkinParts& parts,
-                       const Eigen::Matrix3Xd& motion, NodalForces& forces, SkinContactResult& result) {
+void SkinFriction::add(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& now,
+                       const Eigen::Matrix3Xd& before, NodalForces& forces, SkinContactResult& result) {
   const int node = touch.pair.first;
   Sides& sides = now_[static_cast<std::size_t>(node)];
   SkinBristle* const place = sides[0].triangle < 0 ? &sides[0] : sides[1].triangle < 0 ? &sides[1] : nullptr;
@@ -60,7 +60,8 @@ void SkinFriction::add(const Touch& touch, double depth, const SkinParts& parts,
   if (place == &sides[0]) held_.push_back(node);
   const Corners corners = corners_of(parts, touch.pair);
   Vector3d slip = Vector3d::Zero();
-  for (int k = 0; k < 4; ++k) slip += touch.closest.weight[k] * motion.col(corners.node[k]);
+  for (int k = 0; k < 4; ++k)
+    slip += touch.closest.weight[k] * (now.col(corners.node[k]) - before.col(corners.node[k]));
   const SkinBristle old = take(node, touch.pair.second, parts);
   const Vector3d& normal = touch.closest.normal;
   const Vector3d wanted = old.triangle < 0 ? Vector3d::Zero().eval() : (old.stretch + slip).eval();
@@ -87,12 +88,13 @@ double SkinFriction::release(const SkinParts& parts) {
 }
 
 void SkinFriction::add(const std::vector<Touch>& touches, const SkinParts& parts, const Limits& limits,
-                       const Eigen::Matrix3Xd& motion, NodalForces& forces, SkinContactResult& result) {
+                       const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before, NodalForces& forces,
+                       SkinContactResult& result) {
   if (now_.empty()) return;
   for (const Touch& touch : touches) {
     if (touch.pair.edges) continue;
     const double depth = limits[touch.pair.first] - touch.closest.distance;
-    if (depth > 0.0 && has_point(touch, parts)) add(touch, depth, parts, motion, forces, result);
+    if (depth > 0.0 && has_point(touch, parts)) add(touch, depth, parts, now, before, forces, result);
   }
   result.friction_loss += release(parts);
   now_.swap(before_);

@@ -18,15 +18,16 @@ struct SkinBristle {
 class SkinFriction {
  public:
   explicit SkinFriction(const SkinParts& parts);
-  /// Adds the friction of one level. `motion` (3 x N) [m] is that of the nodes since the last level.
+  /// Adds the friction of one level. `now` and `before` (3 x N) [m] are the nodes of this level and the last.
   void add(const std::vector<Touch>& touches, const SkinParts& parts, const Limits& limits,
-           const Eigen::Matrix3Xd& motion, NodalForces& forces, SkinContactResult& result);
+           const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before, NodalForces& forces,
+           SkinContactResult& result);
 
  private:
   using Sides = std::array<SkinBristle, 2>;
   SkinBristle take(int node, int triangle, const SkinParts& parts);
-  void add(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& motion,
-           NodalForces& forces, SkinContactResult& result);
+  void add(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& now,
+           const Eigen::Matrix3Xd& before, NodalForces& forces, SkinContactResult& result);
   double release(const SkinParts& parts);
 
   std::vector<Sides> now_, before_;      // by node

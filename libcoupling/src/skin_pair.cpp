@@ -59,7 +59,8 @@ bool paths_meet(bool edges, const Quad& from, const Quad& to, double tolerance) 
   constexpr double least = 1e-6;  // share of the step: with smaller advances rounding would stop the time
   for (double t = 0.0;;) {
     const double distance = closest_of(edges, from + t * (to - from)).distance;
-    if (!(distance > tolerance)) return true;
+    // The last advance must not jump over the meeting.
+    if (!(distance > std::max(tolerance, least * motion))) return true;
     t += std::max(least, distance / motion);
     if (!(t < 1.0)) return false;
   }

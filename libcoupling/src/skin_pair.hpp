@@ -7,12 +7,6 @@
 
 namespace coupling::detail {
 
-/// A node and a triangle, or two edges, by their numbers.
-struct PartPair {
-  int first, second;
-  bool edges;
-};
-
 /// The four corners of a pair: node and triangle (1 and 3), or two edges (2 and 2).
 struct Corners {
   int node[4];

@@ -76,7 +76,7 @@ void find_neighbours(SkinParts& parts, std::size_t node_count) {
   }
   for (auto& list : joined) {
     std::ranges::sort(list);
-    parts.neighbours.add(list);
+    parts.neighbours_of.add(list);
   }
 }
 
@@ -121,7 +121,7 @@ void weigh(SkinParts& parts, const Nodes& reference) {
     const double area = area_of(parts.triangles, reference, e, parts.parameters.thickness);
     for (int k = 0; k < 3; ++k) {
       parts.node_weight[static_cast<std::size_t>(parts.triangles(k, e))] += area / 6.0;
-      parts.edge_weight[static_cast<std::size_t>(parts.triangle_edges(k, e))] += area / 6.0;
+      parts.edge_weight[static_cast<std::size_t>(parts.triangle_edges(k, e))] += area / 2.0;
     }
   }
   for (const auto& [a, b] : parts.edges) parts.mean_edge += (reference.col(a) - reference.col(b)).norm();
@@ -153,9 +153,30 @@ SkinParts::SkinParts(const Triangles& given, const Nodes& reference, std::span<c
 }
 
 bool SkinParts::adjacent(int node, int other) const {
-  if (node == other) return true;
-  const auto list = neighbours[node];
-  return std::ranges::binary_search(list, other);
+  return node == other || std::ranges::binary_search(neighbours_of[node], other);
+}
+
+bool SkinParts::neighbours(const PartPair& pair) const {
+  if (!pair.edges) {
+    const auto corner = triangles.col(pair.second);
+    return adjacent(pair.first, corner[0]) || adjacent(pair.first, corner[1]) ||
+           adjacent(pair.first, corner[2]);
+  }
+  const auto [a, b] = edges[static_cast<std::size_t>(pair.first)];
+  const auto [c, d] = edges[static_cast<std::size_t>(pair.second)];
+  return adjacent(a, c) || adjacent(a, d) || adjacent(b, c) || adjacent(b, d);
+}
+
+int SkinParts::count_of_edge(int edge, int node) const {
+  int count = edge_count[static_cast<std::size_t>(edge)];
+  for (const int other : opposite[edge]) count += adjacent(node, other);
+  return count;
+}
+
+int SkinParts::count_of_node(int corner, int node) const {
+  for (const int other : neighbours_of[corner])
+    if (adjacent(node, other)) return 0;
+  return node_count[static_cast<std::size_t>(corner)];
 }
 
 }  // namespace coupling::detail

@@ -24,33 +24,39 @@ struct Lists {
   }
 };
 
+/// A node and a triangle, or two edges, by their numbers.
+struct PartPair {
+  int first, second;
+  bool edges;
+};
+
 /// The constant part of a skin's contact with itself.
 struct SkinParts {
   SkinParts(const Triangles& triangles, const Nodes& reference, std::span<const double> masses,
             const SkinContactParameters& parameters);
 
-  /// Number c_f of an inner edge for a node: 1 less the triangles at it that do not have the node (K.44).
-  int count_of_edge(int edge, int node) const {
-    int count = edge_count[static_cast<std::size_t>(edge)];
-    for (const int other : opposite[edge]) count += other == node;
-    return count;
-  }
-  /// Distance [m] at which edges touch: they only keep creases from crossing.
-  double reach_of_edges() const { return 0.5 * parameters.thickness; }
-  double reach_of(bool of_edges) const { return of_edges ? reach_of_edges() : parameters.thickness; }
-  /// True if an edge joins the nodes, or they are one.
+  /// True if the nodes are one, or an edge joins them.
   bool adjacent(int node, int other) const;
+  /// True if a corner of one part is adjacent to one of the other: they are neighbours, and do not touch.
+  bool neighbours(const PartPair& pair) const;
+  /// Number c_f of an edge or node for a node that touches elements at it (K.44).
+  int count_of_edge(int edge, int node) const;
+  int count_of_node(int corner, int node) const;
+  /// Edges only keep creases from crossing, and touch at this share of the distance of nodes.
+  static constexpr double kEdgeShare = 0.8;
+  double reach_of_edges() const { return kEdgeShare * parameters.thickness; }
+  double reach_of(bool of_edges) const { return of_edges ? reach_of_edges() : parameters.thickness; }
 
   SkinContactParameters parameters;
   Eigen::Matrix3Xi triangles;               // (3 x M)
   std::vector<std::array<int, 2>> edges;    // (E) nodes, ascending
   Eigen::Matrix3Xi triangle_edges;          // (3 x M) edge k is opposite corner k
   Lists opposite;                           // (E) corners opposite to the edge, one a triangle
-  Lists neighbours;                         // (N) nodes joined to it, ascending
+  Lists neighbours_of;                      // (N) nodes joined to it, ascending
   std::vector<int> edge_owner, node_owner;  // first triangle with it
   std::vector<int> edge_count, node_count;  // c_f without neighbours
   std::vector<double> node_weight;          // (N) [m2] A_n/2
-  std::vector<double> edge_weight;          // (E) [m2] a sixth of the triangles at it
+  std::vector<double> edge_weight;          // (E) [m2] half of the triangles at it
   std::vector<double> masses;               // (N) [kg]
   double mean_edge = 0.0;                   // [m]
   double full_omega_squared = 0.0;          // [1/s2]

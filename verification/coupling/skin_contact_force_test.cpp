@@ -86,7 +86,7 @@ TEST(SkinContactForce, FlatLayersFeelThePressureOfTheirGapWhateverTheirMeshes) {
     scenes::level_of(model, state, skin.nodes);
     const Eigen::Index upper = skin.nodes.cols() - 49;
     Matrix3Xd nodes = skin.nodes;
-    for (const double gap : {0.9, 0.7, 0.51}) {
+    for (const double gap : {0.95, 0.9, 0.81}) {
       nodes.rightCols(upper).row(2).setConstant(gap * kThickness);
       const auto level = scenes::level_of(model, state, nodes);
       const double pressure = kStiffness * (1.0 - gap) * kThickness, area = 0.09;
@@ -111,12 +111,12 @@ TEST(SkinContactForce, LayersThatStartCloseStartAtRestAndTheirLimitGrows) {
   EXPECT_EQ(force_at(0.6), 0.0);
   EXPECT_EQ(state.limited_nodes(), 49 + 36);
   EXPECT_NEAR(state.smallest_limit(), 0.6 * kThickness, 1e-15);
-  EXPECT_NEAR(force_at(0.55), 0.05, 1e-12);
-  EXPECT_EQ(force_at(0.8), 0.0);
-  EXPECT_NEAR(force_at(0.7), 0.1, 1e-12);  // the limit is now 0.8 h
+  EXPECT_NEAR(force_at(0.5), 0.1, 1e-12);
+  EXPECT_EQ(force_at(0.7), 0.0);
+  EXPECT_NEAR(force_at(0.6), 0.1, 1e-12);  // the limit is now 0.7 h
   EXPECT_EQ(force_at(1.2), 0.0);
   EXPECT_EQ(state.limited_nodes(), 0);
-  EXPECT_NEAR(force_at(0.7), 0.3, 1e-12);
+  EXPECT_NEAR(force_at(0.9), 0.1, 1e-12);
 }
 
 }  // namespace

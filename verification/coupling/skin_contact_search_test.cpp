@@ -57,7 +57,7 @@ TEST(SkinContactSearch, EveryPairGivesTheSameBits) {
   }
   EXPECT_GT(most, 20);
   EXPECT_TRUE(edges);
-  EXPECT_LT(searched.looks(), all.looks() / 50);
+  EXPECT_LT(searched.looks(), all.looks() / 20);
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of a triangulated skin with itself. Layers closer than the thickness h push each other apart:
-//   (K.44) E = sum_n A_n/2 sum_f c_f kappa (h - d(n, f))^2 / 2 + sum_ee a sin^2 kappa (h/2 - d(e, e'))^2 / 2
-// where the terms with d >= h (of edges: h/2) are zero. d is the distance of the closest points of a node n
-// and a triangle, edge or node f that it does not touch in the mesh, and of two edges without a common node.
-// A_n is a third of the reference area around n. The numbers c_f are +1 for triangles, -1 for inner edges and
-// +1 for inner nodes, so that a node near several triangles of one layer counts it once, and two flat layers
-// feel the pressure kappa (h - d). Edges only keep creases from crossing, deeper than h/2; parallel ones are
-// left to their nodes.
+//   (K.44) E = sum_n A_n/2 sum_f c_f kappa (h - d(n, f))^2 / 2 + sum_ee a kappa (0.8 h - d(e, e'))^2 / 2
+// where terms with a larger d are zero. d is the distance of the closest points: of a node n and a triangle,
+// edge or node f, and of two edges. A_n is a third of the reference area around n, a the mean area of the
+// triangles at the two edges. The numbers c_f are +1 for triangles, -1 for inner edges and +1 for inner
+// nodes, so that a node near several triangles of one layer counts it once, and two flat layers feel the
+// pressure kappa (h - d) down to 0.8 h. Edges keep creases from crossing.
+//
+// Parts that have a common node, or nodes that an edge joins, are neighbours and do not touch: a crease has
+// no thickness.
 //
 // Distances have no sign. The side of a layer is that of the start, because no distance may reach 0: between
 // two levels all points move on straight lines, and what may have met is tested along its path.
@@ -53,8 +55,8 @@ struct SkinContactResult {
   double omega_squared = 0.0;  // [1/s2] upper bound of the contact's omega^2 (K.46)
   int contacts = 0;            // pairs closer than their limit
   SkinPair closest;            // of those in contact
-  /// [m] Largest decrease of a gap since the last level, of pairs that touch or would after another such
-  /// step: the time step keeps it to a share of h (K.47).
+  /// [-] Largest decrease of a distance since the last level over the reach (h; of edges 0.8 h), of parts
+  /// that touch or would after one and a half such steps. The time step keeps it small (K.47).
   double approach = 0.0;
 };
 
