@@ -12,6 +12,7 @@
 
 #include "base/case_reader.hpp"
 #include "coupling/pendulum.hpp"
+#include "coupling/skin_contact.hpp"
 #include "coupling/sphere_contact.hpp"
 #include "engine/tank_volume.hpp"
 #include "gas/control_volume.hpp"
@@ -125,6 +126,8 @@ struct Scene {
   std::optional<PendulumPart> pendulum;
   std::optional<coupling::ContactModel> contact;
   std::optional<double> contact_share;  // [-] stiffness_share, if the stiffness comes of it
+  std::optional<coupling::SkinContactModel> skin_contact;  // of the bag's fabric with itself
+  std::optional<double> skin_contact_share;                // [-] its stiffness_share, likewise
   /// Likely mistakes that are no errors; `check` and `run` print them.
   std::vector<std::string> warnings;
 

@@ -68,7 +68,11 @@ inline bool contact(const Scene& scene) {
   return scene.contact.has_value();
 }
 inline bool friction(const Scene& scene) {
-  return scene.contact && scene.contact->parameters().friction > 0.0;
+  return (scene.contact && scene.contact->parameters().friction > 0.0) ||
+         (scene.skin_contact && scene.skin_contact->parameters().friction > 0.0);
+}
+inline bool self_contact(const Scene& scene) {
+  return scene.skin_contact.has_value();
 }
 inline bool pendulum(const Scene& scene) {
   return scene.pendulum.has_value();

@@ -28,7 +28,9 @@ Enclosure enclosure(const Scene& scene, const State& state);
 void gas_point(const Scene& scene, State& state);                         // S2
 void forces(const Scene& scene, State& state, const Executor& executor);  // S3
 void contact(const Scene& scene, State& state);                           // S4
+void skin_contact(const Scene& scene, State& state);                      // S4, of the skin with itself
 double contact_stiffness(const Scene& scene, const State& state);         // bound of its omega^2 at n [1/s2]
+double skin_contact_stiffness(const Scene& scene, const State& state);    // likewise
 void choose_step(const Scene& scene, State& state, bool last);
 void outlets(const Scene& scene, State& state);     // S5
 void jet_fields(const Scene& scene, State& state);  // S6

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/skin_contact.hpp"
 #include "coupling/sphere_contact.hpp"
 #include "engine/scene.hpp"
 #include "gas/kick_work.hpp"
@@ -23,7 +24,7 @@ enum class Stage {
   surface,     // S1 x^n -> area vectors, centroids, V^n (from S9 of the last step)
   gas_point,   // S2 m_k, U, V -> p, T, rho, gamma
   forces,      // S3 fabric, straps, plates, pressure; the jets' after S7
-  contact,     // S4 sphere against skin; then the size of the step
+  contact,     // S4 sphere against skin, skin against itself; then the size of the step
   outlet,      // S5 inflators over the kick -> V0, rho0
   jet_field,   // S6 centroids -> overpressure, candidates
   visibility,  // S7 candidates -> exact mask
@@ -138,6 +139,18 @@ struct LargestTerm {
   double magnitude = 0.0;  // [J]
 };
 
+/// What was seen of the contact of the skin with itself; S11.
+struct SelfContactRecord {
+  int limited_at_start = 0;     // nodes that start closer to a layer than the thickness
+  double smallest_limit = 0.0;  // [m] smallest distance of such a node; the thickness without one
+  int contacts = 0;             // largest number of pairs in contact
+  double contacts_time = 0.0;   // [s]
+  double gap = std::numeric_limits<double>::infinity();  // [m] smallest of a pair in contact
+  double gap_time = 0.0;                                 // [s]
+  /// [s] First level from which on the pairs in contact are fewer than 1 % of the nodes; infinite: not yet.
+  double one_room_from = 0.0;
+};
+
 /// Extremes and events of the run so far; S11.
 struct Peaks {
   double pressure = 0.0;         // [Pa]
@@ -157,6 +170,7 @@ struct Peaks {
   double mechanical = 0.0;  // [J] largest sum of kinetic and elastic energy and that of the pendulum's weight
   /// Largest of the terms that the step integrates, at the recorded levels.
   LargestTerm largest_term;
+  SelfContactRecord self_contact;
   /// [-] Of the momentum balance: inner forces and pressure on the closed skin sum to zero.
   double momentum_residual = 0.0;
 };
@@ -180,6 +194,10 @@ struct StepSizes {
   long deformation_limited = 0;
   double deformation = 0.0;              // [-] largest change of an element's dF in a given step (M.32)
   int deformed_element = -1;             // that element, or the last one that made a step shorter
+  long approach_limited = 0;             // number of steps that layers of the skin made shorter (K.47)
+  double approach = 0.0;                 // [-] largest share of the thickness closed in a given step (K.47)
+  double self_contact = 0.0;             // [1/s2] part of shares.contact: the skin with itself
+  double self_contact_sum = 0.0;         // [-] part of share_sums.contact
   double jet_damping = 0.0;              // [1/s] damping rate at n of jets relative to the skin (J.9)
   double minimum = 0.0;                  // [s] of the run
   double maximum = 0.0;                  // [s]
@@ -234,8 +252,10 @@ struct State {
 
   std::optional<membrane::BagState> bag;  // S1, S3, S8, S9
   std::optional<PendulumRun> pendulum;
-  std::optional<coupling::ContactState> contact_cache;  // S4 workspace
-  coupling::ContactResult contact;                      // S4
+  std::optional<coupling::ContactState> contact_cache;           // S4 workspace
+  coupling::ContactResult contact;                               // S4
+  std::optional<coupling::SkinContactState> skin_contact_cache;  // S4 workspace
+  coupling::SkinContactResult skin_contact;                      // S4
   std::vector<JetRun> jets;
   /// S3: views of what S6 and S7 wrote for each jet.
   std::vector<membrane::JetLoad> jet_loads;

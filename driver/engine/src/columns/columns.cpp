@@ -30,6 +30,11 @@ double hidden_elements(Of, At now) {
   return sum;
 }
 
+// The thickness where nothing touches.
+double self_gap(Of scene, At now) {
+  return std::min(now.skin_contact.closest.gap, scene.skin_contact->parameters().thickness);
+}
+
 double joint_force(Of scene, At now) {
   const PendulumRun& p = *now.pendulum;
   return scene.pendulum->model
@@ -56,6 +61,8 @@ constexpr Line kLines[] = {
   {"jet_force_N", has::jets, [](Of, At now) { return now.level.jet_force; }},
   {"jet_lit_elements", has::jets, lit_elements},
   {"jet_hidden_elements", has::jets, hidden_elements},
+  {"self_contacts", has::self_contact, [](Of, At now) { return static_cast<double>(now.skin_contact.contacts); }},
+  {"self_gap_m", has::self_contact, self_gap},
   {"contact_force_N", has::contact, [](Of, At now) { return now.contact.force.norm(); }},
   {"contact_penetration_m", has::contact, [](Of, At now) { return now.contact.penetration; }},
   {"pendulum_angle_rad", has::pendulum, [](Of, At now) { return now.level.pendulum_angle; }},

@@ -27,6 +27,7 @@ constexpr EnergyTerm kTerms[] = {
   {"plate_J", Role::elastic, has::plates, [](Of, At now) { return now.bag->forces.plate_energy; }},
   {"ambient_work_J", Role::spent, has::bag_of_gas, ambient_work},
   {"contact_J", Role::elastic, has::contact, [](Of, At now) { return now.contact.energy; }},
+  {"self_contact_J", Role::elastic, has::self_contact, [](Of, At now) { return now.skin_contact.energy; }},
   {"pendulum_kinetic_J", Role::kinetic, has::pendulum, [](Of, At now) { return now.pendulum->kinetic; }},
   {"pendulum_gravity_J", Role::held, has::pendulum, pendulum_gravity},
   {"outflow_enthalpy_J", Role::spent, has::volume, [](Of, At now) { return now.level.flows.enthalpy_out; }},

@@ -15,6 +15,7 @@
 #include "scene/gas_curve.hpp"
 #include "scene/read_fabric.hpp"
 #include "scene/read_openings.hpp"
+#include "scene/read_skin_contact.hpp"
 
 namespace driver {
 namespace {
@@ -173,6 +174,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   require_before_plates(*table, *scene.bag);
   if (!table->has("flatten")) warn_of_strained_start(scene);
   displace_nodes(scene, amplitude, seed);
+  read_skin_contact(*table, scene);
   table->finish();
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "coupling/side.hpp"
+#include "scene/contact_bounds.hpp"
 #include "scene/gas_curve.hpp"
 #include "scene/read_fabric.hpp"
 
@@ -18,11 +19,8 @@ namespace {
 // governs at most half of omega^2. A quarter of it lets the paper's impactor sink in beyond half its radius.
 constexpr double default_contact_share = 1.0;
 
-// An angle keeps its digits, a coefficient is one of sliding: past these a step would add nothing to the
-// angle, and the default stiffness, which friction divides, would hold nothing.
+// Beyond these a step would add nothing to the angle.
 constexpr Bounds turns{-1000.0, 1000.0, false, "a number from -1000 to 1000"};
-constexpr Bounds shares{0.0, 1e20, true, "a number above 0, at most 1e20"};
-constexpr Bounds sliding{0.0, 10.0, false, "a number from 0 to 10"};
 
 PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   coupling::PendulumParameters p;
@@ -49,7 +47,7 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
 
 double contact_stiffness(TableReader& table, double friction, Scene& scene) {
   if (const auto stiffness = table.at("stiffness").optional_number(positive.in("N/m³"))) return *stiffness;
-  scene.contact_share = table.at("stiffness_share").number(shares, default_contact_share);
+  scene.contact_share = table.at("stiffness_share").number(contact_share, default_contact_share);
   const auto& pendulum = scene.pendulum->model;
   // Of the other terms the fabric's alone never falls: stretch adds to it, gas and straps come and go.
   return coupling::default_contact_stiffness(
@@ -58,7 +56,7 @@ double contact_stiffness(TableReader& table, double friction, Scene& scene) {
 }
 
 coupling::ContactParameters read_contact(TableReader& table, Scene& scene) {
-  const double friction = table.at("friction").number(sliding, 0.0);
+  const double friction = table.at("friction").number(contact_friction, 0.0);
   const double stiffness = contact_stiffness(table, friction, scene);
   return {scene.pendulum->model.parameters().impactor_radius, stiffness, friction};
 }

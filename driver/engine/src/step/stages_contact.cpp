@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S4: the impactor's sphere against the skin.
+// S4: the impactor's sphere against the skin, and both contacts in order.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -47,11 +47,7 @@ coupling::ContactResult evaluate(const Scene& scene, State& state, const Eigen::
   }
 }
 
-}  // namespace
-
-void contact(const Scene& scene, State& state) {
-  if (!state.pendulum) return;
-  StageTimer timer(state, Stage::contact);
+void sphere_contact(const Scene& scene, State& state) {
   PendulumRun& pendulum = *state.pendulum;
   const auto& model = scene.pendulum->model;
   state.level.pendulum_angle = pendulum.motion.angle;
@@ -61,7 +57,6 @@ void contact(const Scene& scene, State& state) {
   // The central difference turned the pendulum by this since the last level.
   const double turn = state.step.before * pendulum.motion.angular_velocity;
   model.require_followed(turn);
-  if (state.contact.area > 0.0) state.bag->contact_force.map().setZero();
   const Eigen::Vector3d centre = model.impactor_centre(pendulum.motion.angle);
   const double motion = motion_bound(state, centre);
   pendulum.centre = centre;
@@ -74,6 +69,17 @@ void contact(const Scene& scene, State& state) {
   pendulum.contact_moment = model.moment(state.contact.force, centre) + axis.dot(state.contact.couple);
   pendulum.moment += pendulum.contact_moment;
   state.flows.friction_loss += state.contact.friction_loss;
+}
+
+}  // namespace
+
+void contact(const Scene& scene, State& state) {
+  if (!state.pendulum && !scene.skin_contact) return;
+  StageTimer timer(state, Stage::contact);
+  // The forces of the last level, if there were any.
+  if (state.contact.area > 0.0 || state.skin_contact.contacts > 0) state.bag->contact_force.map().setZero();
+  if (state.pendulum) sphere_contact(scene, state);
+  if (scene.skin_contact) skin_contact(scene, state);
 }
 
 double contact_stiffness(const Scene& scene, const State& state) {

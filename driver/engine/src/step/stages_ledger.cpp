@@ -2,6 +2,7 @@
 // S11: mass, energy and momentum balance of level n, extremes of the run.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "engine/drift.hpp"
@@ -94,6 +95,28 @@ void book_peaks(const Scene& scene, State& state) {
   peaks.penetration = std::max(peaks.penetration, state.contact.penetration);
 }
 
+void book_self_contact(const Scene& scene, State& state) {
+  if (!scene.skin_contact) return;
+  SelfContactRecord& record = state.peaks.self_contact;
+  const coupling::SkinContactResult& now = state.skin_contact;
+  if (state.steps == 0) {
+    record.limited_at_start = state.skin_contact_cache->limited_nodes();
+    record.smallest_limit = state.skin_contact_cache->smallest_limit();
+  }
+  if (now.contacts > record.contacts) {
+    record.contacts = now.contacts;
+    record.contacts_time = state.time;
+  }
+  if (now.closest.gap < record.gap) {
+    record.gap = now.closest.gap;
+    record.gap_time = state.time;
+  }
+  if (100.0 * now.contacts >= scene.bag->model.node_count)
+    record.one_room_from = std::numeric_limits<double>::infinity();
+  else if (std::isinf(record.one_room_from))
+    record.one_room_from = state.time;
+}
+
 void book_energy(const Scene& scene, State& state) {
   Peaks& peaks = state.peaks;
   peaks.energy_scale = std::max(peaks.energy_scale, energy_scale(scene, state));
@@ -125,6 +148,7 @@ void ledger(const Scene& scene, State& state, const StepRequest& request) {
   if (start) state.start.kinetic = kinetic_before(state);
   book_kick(scene, state, request.last);
   book_peaks(scene, state);
+  book_self_contact(scene, state);
   Level& level = state.level;
   level.kick_residual = kinetic_after(state) - state.start.kinetic - state.flows.kick_work;
   state.peaks.ledger_residual = std::max(state.peaks.ledger_residual, std::abs(level.kick_residual));

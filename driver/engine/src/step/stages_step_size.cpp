@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long the next step is: by stability, energy and deformation, and by what the output asks for.
+// How long the next step is: by stability, energy, deformation and layers of the skin, and by what the
+// output asks for.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,22 +29,18 @@ void update_bound(const Scene& scene, State& state) {
     return;
   }
   const bool gas = scene.gas.has_value();
-  state.step.shares =
-      membrane::stiffness_shares(scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0,
-                                 gas ? state.gas_point.pressure : 0.0, contact_stiffness(scene, state));
+  state.step.self_contact = skin_contact_stiffness(scene, state);
+  state.step.shares = membrane::stiffness_shares(
+      scene.bag->model, *state.bag, gas ? state.gas_point.gamma : 0.0, gas ? state.gas_point.pressure : 0.0,
+      contact_stiffness(scene, state) + state.step.self_contact);
   state.step.jet_damping = jet_damping(scene, state);
   state.step.critical = membrane::critical_time_step(state.step.shares, state.step.jet_damping);
   state.step.drift_limit = drift_limit(scene, state);
 }
 
-// Step by stability, energy and deformation [s]. The bound jumps as crumpled elements come and go, and a step
-// that jumps with it heats the skin, so its share grows slowly (M.33).
-double free_step(const Scene& scene, State& state) {
-  constexpr double steady_growth = 1.0002;
+// `wanted` [s], or a shorter step in which no element deforms too much (M.32).
+double within_deformation(const Scene& scene, State& state, double wanted) {
   StepSizes& step = state.step;
-  step.steady = std::min(scene.time.safety * step.critical, steady_growth * step.steady);
-  const double wanted = std::min(step.steady, scene.time.safety * step.drift_limit);
-  if (!state.bag) return wanted;
   const double most = membrane::kLargestDeformation;
   const auto fastest = membrane::deformation_rate(scene.bag->model, *state.bag, most / wanted);
   if (fastest.element < 0) return wanted;
@@ -52,9 +49,29 @@ double free_step(const Scene& scene, State& state) {
   return most / fastest.rate;
 }
 
-// A given step is kept; its worst change of the deformation gradient is told.
-void book_deformation(const Scene& scene, State& state) {
+// `wanted` [s], or a shorter step in which layers of the skin do not close too much (K.47).
+double within_approach(const Scene& scene, State& state, double wanted) {
+  const double limit = approach_limit(scene, state);
+  if (!(limit < wanted)) return wanted;
+  ++state.step.approach_limited;
+  return limit;
+}
+
+// Step by stability, energy, deformation and layers [s]. The bound jumps as crumpled elements come and go,
+// and a step that jumps with it heats the skin, so its share grows slowly (M.33).
+double free_step(const Scene& scene, State& state) {
+  constexpr double steady_growth = 1.0002;
   StepSizes& step = state.step;
+  step.steady = std::min(scene.time.safety * step.critical, steady_growth * step.steady);
+  const double wanted = std::min(step.steady, scene.time.safety * step.drift_limit);
+  if (!state.bag) return wanted;
+  return within_approach(scene, state, within_deformation(scene, state, wanted));
+}
+
+// A given step is kept. Its worst change of the deformation gradient is reported, and how far layers closed.
+void book_given_step(const Scene& scene, State& state) {
+  StepSizes& step = state.step;
+  step.approach = std::max(step.approach, kLargestApproach * step.after / approach_limit(scene, state));
   const auto fastest =
       membrane::deformation_rate(scene.bag->model, *state.bag, step.deformation / step.after);
   if (fastest.element < 0) return;
@@ -71,6 +88,7 @@ void book_step(StepSizes& step) {
   step.share_sums.element += step.shares.element / all;
   step.share_sums.gas += step.shares.gas / all;
   step.share_sums.contact += step.shares.contact / all;
+  step.self_contact_sum += step.self_contact / all;
   step.share_sums.strap += step.shares.strap / all;
   step.share_sums.plate += step.shares.plate / all;
 }
@@ -102,7 +120,7 @@ void choose_step(const Scene& scene, State& state, bool last) {
   const double steps = std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
   if (scene.output.history_exact || steps <= sharing) wanted = left / steps;
   step.after = std::min(wanted, left);
-  if (scene.time.step && state.bag) book_deformation(scene, state);
+  if (scene.time.step && state.bag) book_given_step(scene, state);
   if (step.after < left && step.after < 1e-9 * scene.time.end) refuse_short_step(scene, state);
   book_step(step);
 }

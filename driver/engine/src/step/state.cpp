@@ -96,7 +96,7 @@ State make_state(const Scene& scene) {
   State state;
   state.start.smallest_energy = smallest_energy(scene);
   if (scene.bag) {
-    const membrane::LoadKinds loads{!scene.jets.empty(), scene.contact.has_value()};
+    const membrane::LoadKinds loads{!scene.jets.empty(), scene.contact || scene.skin_contact};
     state.bag = membrane::make_state(scene.bag->model, scene.bag->initial_position, loads);
     membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{Executor::serial()});
   }
@@ -108,6 +108,7 @@ State make_state(const Scene& scene) {
     state.pendulum->motion = scene.pendulum->initial;
   }
   if (scene.contact) state.contact_cache = scene.contact->make_state();
+  if (scene.skin_contact) state.skin_contact_cache = scene.skin_contact->make_state();
   return state;
 }
 

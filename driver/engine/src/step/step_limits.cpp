@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,8 @@ std::string collapse(const Scene& scene, const State& state) {
 std::string advice(const State& state) {
   const membrane::StiffnessShares& s = state.step.shares;
   const double most = std::max({s.element, s.gas, s.contact, s.strap, s.plate});
+  if (s.contact == most && 2.0 * state.step.self_contact > s.contact)
+    return "; lower membrane.self_contact.stiffness or membrane.self_contact.stiffness_share";
   if (s.contact == most) return "; lower contact.stiffness or contact.stiffness_share";
   if (s.strap == most) return "; lower membrane.strap.stiffness";
   if (s.plate == most) return "; lower membrane.plate.stiffness";
@@ -59,6 +62,11 @@ std::string advice(const State& state) {
 // Which limit it is, and what to do.
 std::string cause_of_short_step(const Scene& scene, const State& state) {
   const StepSizes& step = state.step;
+  if (step.after * 1.01 >= approach_limit(scene, state))
+    return fmt::format(
+        " for layers of the skin, which close by {:.3g} m in a step (K.47); a larger "
+        "membrane.self_contact.thickness allows longer steps",
+        state.skin_contact.approach * step.after / step.before);
   if (step.after * 1.01 < std::min(step.steady, scene.time.safety * step.drift_limit))
     return fmt::format(
         " for element {}, which deforms at {:.3g} 1/s (M.32); look at the mesh there, and at what loads it",
@@ -69,6 +77,13 @@ std::string cause_of_short_step(const Scene& scene, const State& state) {
 }
 
 }  // namespace
+
+double approach_limit(const Scene& scene, const State& state) {
+  if (!scene.skin_contact || !(state.skin_contact.approach > 0.0) || !(state.step.before > 0.0))
+    return std::numeric_limits<double>::infinity();
+  return kLargestApproach * scene.skin_contact->parameters().thickness * state.step.before /
+         state.skin_contact.approach;
+}
 
 void refuse_step(const Scene& scene, const State& state, double given) {
   std::string cause = "the pendulum's swing";
