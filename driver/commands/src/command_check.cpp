@@ -15,6 +15,7 @@
 #include "forecast/check_json.hpp"
 #include "forecast/jet_peak.hpp"
 #include "forecast/jet_push.hpp"
+#include "forecast/self_contact_start.hpp"
 #include "gas/orifice.hpp"
 #include "results/load_scene.hpp"
 #include "results/skin_checks.hpp"
@@ -180,6 +181,21 @@ void print_jet(const Scene& scene, const JetPart& part) {
   if (peak.mass_flow > 0.0) print_push(scene, part);
 }
 
+void print_self_contact(const Scene& scene) {
+  const SelfContactStart start = self_contact_start(scene);
+  const coupling::SkinContactParameters& p = scene.skin_contact->parameters();
+  fmt::print(
+      "self-contact: {:.4g} N/m3 for layers closer than {:.4g} m; while some are, it adds {:.3g} of "
+      "the fabric's omega^2 (critical step alone: {:.4g} s)\n",
+      p.stiffness, p.thickness, start.share, start.critical_step);
+  if (start.limited_nodes > 0)
+    fmt::print(
+        "  {} nodes start closer than that to another layer, the closest at {:.3g} m: they begin without "
+        "force, and keep their distance as the limit until they are farther away (K.45)\n",
+        start.limited_nodes, start.smallest_gap);
+  fmt::print("  while layers touch, gas is in all pockets at once, also where they shut one off\n");
+}
+
 void print_forecast(const Forecast& f) {
   if (f.full && !f.full->fills)
     fmt::print(
@@ -223,6 +239,7 @@ int check(const CaseArguments& arguments, const std::string& format) {
     fmt::print("pendulum: {:.6g} kg m2 about the axis, effective mass {:.5g} kg\n",
                scene.pendulum->model.axis_inertia(), scene.pendulum->model.effective_mass());
   if (scene.contact) fmt::print("contact stiffness: {:.4g} N/m3\n", scene.contact->parameters().stiffness);
+  if (scene.skin_contact) print_self_contact(scene);
   if (scene.moves() && !scene.output.history_exact)
     fmt::print(
         "history: a row at the first step at or after each multiple of {} s; exactly there with "

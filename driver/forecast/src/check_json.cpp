@@ -13,6 +13,7 @@
 #include "engine/supply.hpp"
 #include "forecast/jet_peak.hpp"
 #include "forecast/jet_push.hpp"
+#include "forecast/self_contact_start.hpp"
 #include "membrane/time_step.hpp"
 
 namespace driver {
@@ -163,6 +164,15 @@ Json full_volume_of(const FullState& full) {
   return all;
 }
 
+Json self_contact_of(const Scene& scene) {
+  const SelfContactStart start = self_contact_start(scene);
+  return {{"stiffness_N_m3", scene.skin_contact->parameters().stiffness},
+          {"share_of_fabric", start.share},
+          {"critical_step_s", start.critical_step},
+          {"limited_nodes", start.limited_nodes},
+          {"smallest_gap_m", start.smallest_gap}};
+}
+
 Json derived_of(const Scene& scene, const State& state, const Forecast& f) {
   Json derived = {{"step_s", f.step}};
   if (scene.has_volume())
@@ -181,6 +191,7 @@ Json derived_of(const Scene& scene, const State& state, const Forecast& f) {
     derived["pendulum"] = {{"axis_inertia_kg_m2", scene.pendulum->model.axis_inertia()},
                            {"effective_mass_kg", scene.pendulum->model.effective_mass()}};
   if (scene.contact) derived["contact_stiffness_N_m3"] = scene.contact->parameters().stiffness;
+  if (scene.skin_contact) derived["self_contact"] = self_contact_of(scene);
   return derived;
 }
 

@@ -34,36 +34,79 @@ LevelView SkinChecks::view() {
 void SkinChecks::check(const State& state) {
   const bool closed = scene_.gas.has_value();
   found_.push_back({state.time, closed ? state.bag->surface.volume : 0.0,
-                    find_crossing(state.bag->position.map(), scene_.bag->mesh.elements, closed)});
+                    find_crossing(state.bag->position.map(), scene_.bag->mesh.elements, closed,
+                                  scene_.bag->null_elements)});
 }
 
 void SkinChecks::note(RunOutcome& outcome) const {
-  if (auto text = note_of_crossing(found_); !text.empty()) outcome.notes.push_back(std::move(text));
+  if (auto text = note_of_crossing(found_, scene_.skin_contact.has_value()); !text.empty())
+    outcome.notes.push_back(std::move(text));
 }
 
-std::string note_of_crossing(const std::vector<SkinCheck>& checks) {
+std::string note_of_crossing(const std::vector<SkinCheck>& checks, bool self_contact) {
   constexpr double limit = 0.01;
+  if (self_contact) {
+    const auto layers = [](const SkinCheck& check) { return check.time > 0.0 ? check.crossing.layers : 0; };
+    const auto most = std::ranges::max_element(checks, {}, layers);
+    if (most != checks.end() && layers(*most) > 0)
+      return fmt::format(
+          "membrane.self_contact: layers cross all the same: at {:.3g} s {}, {} of these pairs without a "
+          "common node. Please report this case",
+          most->time, text_of(most->crossing, most->volume), most->crossing.layers);
+  }
   const auto share = [](const SkinCheck& check) {
     return check.time > 0.0 && check.volume > 0.0 ? check.crossing.miscounted() / check.volume : 0.0;
   };
   const auto worst = std::ranges::max_element(checks, {}, share);
   if (worst == checks.end() || share(*worst) <= limit) return {};
   return fmt::format(
-      "membrane: the skin passes through itself, because layers do not touch each other: at {:.3g} s {}; "
-      "above {:g} % pressure and volume are wrong by about that share. Start less folded or flattened",
-      worst->time, text_of(worst->crossing, worst->volume), 100.0 * limit);
+      "membrane: the skin passes through itself{}: at {:.3g} s {}; above {:g} % pressure and volume are "
+      "wrong "
+      "by about that share. {}",
+      self_contact ? " between neighbours" : ", because layers do not touch each other", worst->time,
+      text_of(worst->crossing, worst->volume), 100.0 * limit,
+      self_contact ? "Refine the mesh where it folds"
+                   : "Use [membrane.self_contact], or start less folded or flattened");
 }
 
 void add_skin_warning(Scene& scene) {
   if (!scene.bag) return;
   const auto& elements = scene.bag->mesh.elements;
   const auto& position = scene.bag->initial_position;
-  const Crossing crossing = find_crossing(position, elements, scene.gas.has_value());
+  const Crossing crossing =
+      find_crossing(position, elements, scene.gas.has_value(), scene.bag->null_elements);
   if (crossing.pairs == 0) return;
   const double volume = scene.gas ? mesh::enclosed_volume(position, elements) : 0.0;
   scene.warnings.push_back(
       fmt::format("membrane: the skin passes through itself at the start: {}; pull its layers apart",
                   text_of(crossing, volume)));
+}
+
+void require_separate_layers(CaseDocument& document, const Scene& scene) {
+  const BagPart& bag = *scene.bag;
+  const auto& elements = bag.mesh.elements;
+  const auto& position = bag.initial_position;
+  const Crossing crossing = find_crossing(position, elements, scene.gas.has_value(), bag.null_elements);
+  if (crossing.layers == 0) return;
+  const auto [first, second] = crossing.first_layers;
+  const auto centre = [&](int e) -> Eigen::Vector3d {
+    return (position.col(elements(0, e)) + position.col(elements(1, e)) + position.col(elements(2, e))) / 3.0;
+  };
+  const auto name = [&](int e) {
+    return bag.mesh.line.empty() ? fmt::format("{}", e)
+                                 : fmt::format("of line {}", bag.mesh.line[static_cast<std::size_t>(e)]);
+  };
+  const Eigen::Vector3d x = 0.5 * (centre(first) + centre(second));
+  const double volume = scene.gas ? mesh::enclosed_volume(position, elements) : 0.0;
+  document.root()
+      .table("membrane")
+      .table("self_contact")
+      .fail("", fmt::format(
+                    "layers cross at the start, {} pairs of elements without a common node, the first near "
+                    "[{:.3g}, {:.3g}, {:.3g}] m, elements {} and {}{}; in all {}. Pull the layers apart, or "
+                    "leave this table out",
+                    crossing.layers, x.x(), x.y(), x.z(), name(first), name(second),
+                    bag.mesh.line.empty() ? " (from 0)" : "", text_of(crossing, volume)));
 }
 
 }  // namespace driver

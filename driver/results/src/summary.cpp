@@ -37,15 +37,18 @@ Json step_sizes(const Scene& scene, const State& state) {
   if (!scene.time.step) {
     json["limited_by_drift"] = step.drift_limited;
     json["limited_by_deformation"] = step.deformation_limited;
+    if (scene.skin_contact) json["limited_by_contact"] = step.approach_limited;
   } else {
     json["largest_deformation"] = step.deformation;
+    if (scene.skin_contact) json["largest_approach"] = step.approach;
   }
   const double steps = std::max(1.0, static_cast<double>(state.steps));
   json["shares"] = {{"element", step.share_sums.element / steps},
                     {"gas", step.share_sums.gas / steps},
-                    {"contact", step.share_sums.contact / steps},
+                    {"contact", (step.share_sums.contact - step.self_contact_sum) / steps},
                     {"strap", step.share_sums.strap / steps},
                     {"plate", step.share_sums.plate / steps}};
+  if (scene.skin_contact) json["shares"]["self_contact"] = step.self_contact_sum / steps;
   return json;
 }
 
@@ -127,6 +130,19 @@ Json streams(const Scene& scene, const State& state) {
   return json;
 }
 
+Json self_contact(const State& state) {
+  const SelfContactRecord& record = state.peaks.self_contact;
+  const bool touched = record.contacts > 0;
+  return {{"limited_nodes_at_start", record.limited_at_start},
+          {"smallest_limit_at_start_m", record.smallest_limit},
+          {"limited_nodes_at_end", state.skin_contact_cache->limited_nodes()},
+          {"most_contacts", record.contacts},
+          {"most_contacts_s", touched ? Json(record.contacts_time) : Json(nullptr)},
+          {"smallest_gap_m", touched ? Json(record.gap) : Json(nullptr)},
+          {"smallest_gap_s", touched ? Json(record.gap_time) : Json(nullptr)},
+          {"one_room_from_s", time_or_null(record.one_room_from)}};
+}
+
 /// Checks of the skin, and the maximum of each number.
 Json self_intersection(const Scene& scene, const std::vector<SkinCheck>& checks) {
   Json list = Json::array(), largest{{"pairs", 0}, {"elements", 0}};
@@ -138,6 +154,7 @@ Json self_intersection(const Scene& scene, const std::vector<SkinCheck>& checks)
     Json& json = list.emplace_back(Json{{"time_s", time}});
     add(json, "pairs", crossing.pairs);
     add(json, "elements", crossing.elements);
+    if (scene.skin_contact) add(json, "layers", crossing.layers);
     if (!scene.gas) continue;
     json["volume_m3"] = volume;
     add(json, "counted_twice_m3", crossing.volumes.counted_twice.value);
@@ -168,6 +185,10 @@ Json counters(const Scene& scene, const State& state) {
     json["contact_looks"] = state.contact_cache->looks;
     json["contact_sweeps"] = state.contact_cache->sweeps;
     json["contact_skips"] = state.contact_cache->skips;
+  }
+  if (state.skin_contact_cache) {
+    json["self_contact_looks"] = state.skin_contact_cache->looks();
+    json["self_contact_sweeps"] = state.skin_contact_cache->sweeps();
   }
   return json;
 }
@@ -201,6 +222,7 @@ std::string summary_text(const Scene& scene, const State& state, const RunOutcom
   json["peak"] = peaks(scene, state);
   if (scene.has_volume()) json["moments"] = moments(state);
   if (scene.has_volume()) json["streams"] = streams(scene, state);
+  if (scene.skin_contact) json["self_contact"] = self_contact(state);
   if (!checks.empty()) json["self_intersection"] = self_intersection(scene, checks);
   json["counters"] = counters(scene, state);
   return text_of(std::move(json), lines);

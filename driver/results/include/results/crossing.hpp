@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,14 +47,17 @@ LayerVolumes layer_volumes(const NodesView& nodes, const TrianglesView& triangle
 struct Crossing {
   std::size_t pairs = 0;     // pairs of elements that cross
   std::size_t elements = 0;  // elements in them
-  LayerVolumes volumes{};    // zero if no elements cross
+  std::size_t layers = 0;    // pairs of fabric without a common node: contact of the skin keeps them apart
+  std::pair<int, int> first_layers{-1, -1};  // first of these pairs
+  LayerVolumes volumes{};                    // zero if no elements cross
   /// [m3] Counted twice or inside out.
   double miscounted() const { return volumes.counted_twice.value + volumes.inside_out.value; }
 };
 
 /// Looks at a skin. Without `closed` it has no volumes. If no elements of a connected skin cross, w is 0 or 1
-/// everywhere, and no line is drawn.
-Crossing find_crossing(const NodesView& nodes, const TrianglesView& triangles, bool closed);
+/// everywhere, and no line is drawn. `null_elements` are not fabric; they rise.
+Crossing find_crossing(const NodesView& nodes, const TrianglesView& triangles, bool closed,
+                       std::span<const int> null_elements = {});
 
 /// Elements, pairs and volumes in words; volumes as shares of the signed `volume` [m3] if that is above 0.
 std::string text_of(const Crossing& crossing, double volume);

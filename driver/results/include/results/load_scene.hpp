@@ -6,7 +6,7 @@
 
 namespace driver {
 
-/// read_scene() with read_any_mesh().
+/// read_scene() with read_any_mesh(). Refuses layers that cross at the start if the skin touches itself.
 Scene load_scene(CaseDocument& document);
 
 }  // namespace driver

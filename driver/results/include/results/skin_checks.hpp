@@ -42,10 +42,14 @@ class SkinChecks {
 };
 
 /// Warning after a run: the check with the largest wrongly counted share of the volume, if above a hundredth;
-/// otherwise empty. add_skin_warning() covers the check at the start.
-std::string note_of_crossing(const std::vector<SkinCheck>& checks);
+/// otherwise empty. With `self_contact`, first of all that with most layers that cross. The check at the
+/// start is left to the next two functions.
+std::string note_of_crossing(const std::vector<SkinCheck>& checks, bool self_contact = false);
 
 /// Adds a warning if elements of the bag cross each other at the start.
 void add_skin_warning(Scene& scene);
+
+/// Throws CaseError if layers of a bag with [membrane.self_contact] cross at the start.
+void require_separate_layers(CaseDocument& document, const Scene& scene);
 
 }  // namespace driver
