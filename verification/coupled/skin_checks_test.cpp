@@ -102,6 +102,36 @@ TEST(skin_checks, warn_of_a_start_that_passes_through_itself) {
       << scene.warnings[0];
 }
 
+TEST(skin_checks, refuse_layers_that_cross_at_the_start_if_the_skin_touches_itself) {
+  driver::CaseDocument document(coupled::case_file("sphere_inflation"),
+                                {"membrane.self_contact.thickness=1e-3"});
+  driver::Scene scene = driver::load_scene(document);
+  EXPECT_NO_THROW(driver::require_separate_layers(document, scene));
+  push_through(scene, 0.1 * scene.bag->initial_position.rowwise().maxCoeff()(0));
+  try {
+    driver::require_separate_layers(document, scene);
+    ADD_FAILURE() << "accepted";
+  } catch (const driver::CaseError& error) {
+    const std::string message = error.what();
+    for (const char* word : {"membrane.self_contact: layers cross at the start, ", " without a common node",
+                             "the first near [", "elements ", " (from 0)", "counted twice or inside out"})
+      EXPECT_NE(message.find(word), std::string::npos) << message;
+  }
+}
+
+TEST(skin_checks, warn_of_any_layers_that_cross_in_spite_of_contact) {
+  SkinCheck check{.time = 0.01, .volume = 0.03, .crossing = {}};
+  check.crossing.pairs = 3;
+  check.crossing.elements = 5;
+  EXPECT_EQ(driver::note_of_crossing({check}, true), "") << "neighbours, and no volume";
+  check.crossing.layers = 2;
+  EXPECT_EQ(driver::note_of_crossing({check}), "");
+  const std::string note = driver::note_of_crossing({check}, true);
+  EXPECT_NE(note.find("at 0.01 s 5 elements cross in 3 pairs, 2 of these pairs without a common node"),
+            std::string::npos)
+      << note;
+}
+
 TEST(skin_checks, warn_above_a_hundredth_of_the_volume) {
   const auto note = [](double time, double twice, double inside_out) {
     SkinCheck check{.time = time, .volume = 0.03, .crossing = {}};

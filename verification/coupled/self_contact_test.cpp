@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// The skin's contact with itself in whole runs: two discs that the pressure outside lays on each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "case_folder.hpp"
+#include "engine/step.hpp"
+#include "run_case.hpp"
+
+namespace {
+
+constexpr double kThickness = 0.01, kStiffness = 1e5;  // [m], [N/m3]
+constexpr const char* kSuction = R"(
+[scene]
+name = "suction"
+end_time = 0.03
+[fabric]
+young_modulus = 60.0e6
+poisson_ratio = 0.3
+density = 620.0
+thickness = 0.5e-3
+[membrane]
+mesh = { generator = "driver", radius = 0.3, rings = 6, vent_ring = 4 }
+overpressure = { time = [0.0, 0.02], value = [0.0, -500.0] }
+fixed_panels = ["attachment"]
+mass_damping = 200.0
+self_contact = { thickness = 0.01, stiffness = 1.0e5 }
+)";
+
+driver::Scene suction(const std::vector<std::string>& overrides = {}) {
+  const coupled::Folder folder;
+  return coupled::scene_of_text(folder, kSuction, overrides);
+}
+
+TEST(self_contact, bears_the_pressure_at_the_distance_of_its_law) {
+  // All nodes slide along x alone, so the discs stay flat, and each point bears its own pressure.
+  const auto run = coupled::run_of(
+      suction({"scene.end_time=0.2", "membrane.mass_damping=600.0",
+               "membrane.roller=[{low=[-1.0,-1.0,-1.0],high=[1.0,1.0,1.0],directions=[\"y\",\"z\"]}]"}));
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  const auto position = run.state.bag->position.map();
+  const double distance = kThickness - 500.0 / kStiffness;
+  int counted = 0;
+  // Far from the rim and from the attachment, which the fabric's tension holds.
+  for (Eigen::Index n = 0; n < position.cols(); ++n) {
+    const double r = position.col(n).tail<2>().norm();
+    if (r < 0.14 || r > 0.2) continue;
+    double nearest = 1.0;
+    for (Eigen::Index m = 0; m < position.cols(); ++m)
+      if (m != n && (position.col(m) - position.col(n)).tail<2>().norm() < 1e-9)
+        nearest = std::abs(position(0, m) - position(0, n));
+    EXPECT_NEAR(nearest, distance, 0.05 * distance) << r;
+    ++counted;
+  }
+  EXPECT_GT(counted, 20);
+}
+
+TEST(self_contact, energy_drifts_with_the_square_of_the_step) {
+  for (const char* friction : {"0.0", "0.3"}) {
+    std::vector<double> drifts;
+    for (const char* step : {"time.step=40e-6", "time.step=20e-6", "time.step=10e-6"}) {
+      const auto run =
+          coupled::run_of(suction({step, std::string("membrane.self_contact.friction=") + friction}));
+      ASSERT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+      EXPECT_GT(run.energy.back().at("self_contact_J"), 0.1);
+      if (friction != std::string("0.0")) {
+        EXPECT_GT(run.energy.back().at("friction_J"), 1e-4);
+      }
+      drifts.push_back(run.state.peaks.energy_residual);
+    }
+    for (std::size_t i = 1; i < drifts.size(); ++i) {
+      EXPECT_GT(drifts[i - 1] / drifts[i], 3.0) << friction;
+      EXPECT_LT(drifts[i - 1] / drifts[i], 5.0) << friction;
+    }
+  }
+}
+
+TEST(self_contact, changes_no_bit_while_nothing_touches) {
+  const std::vector<std::string> until{"scene.end_time=0.004"};
+  std::vector<std::string> with = until;
+  with.emplace_back("membrane.self_contact.thickness=0.005");
+  const auto far = coupled::run_case("sphere_inflation", with),
+             without = coupled::run_case("sphere_inflation", until);
+  EXPECT_EQ(far.state.steps, without.state.steps);
+  EXPECT_EQ(far.state.bag->position.map(), without.state.bag->position.map());
+  EXPECT_EQ(far.state.gas.internal_energy, without.state.gas.internal_energy);
+  EXPECT_EQ(far.state.peaks.self_contact.contacts, 0);
+  EXPECT_EQ(far.history.back().at("self_gap_m"), 0.005);
+  EXPECT_EQ(without.history.back().count("self_gap_m"), 0u);
+  EXPECT_EQ(without.energy.back().count("self_contact_J"), 0u);
+}
+
+TEST(self_contact, closes_by_a_share_of_the_thickness_in_a_step) {
+  const auto scene = suction({"membrane.overpressure=-2.0e4", "membrane.self_contact.stiffness=5.0e7"});
+  driver::State state = driver::make_state(scene);
+  double largest = 0.0;
+  bool asked = false;
+  // Until the middles meet: the ahead of (K.47) is that of the last step.
+  while (state.time < 0.001) {
+    driver::evaluate_level(scene, state, {});
+    const double ahead =
+        state.step.before > 0.0 ? state.skin_contact.approach * state.step.after / state.step.before : 0.0;
+    largest = std::max(largest, ahead);
+    asked = asked || ahead > 0.0;
+    driver::advance_level(scene, state, {});
+    state.time += state.step.after;
+    ++state.steps;
+  }
+  EXPECT_TRUE(asked);
+  EXPECT_GT(state.step.approach_limited, 0);
+  EXPECT_LE(largest, 0.3 * kThickness * (1.0 + 1e-12));
+}
+
+TEST(self_contact, says_how_far_a_given_step_closes_layers) {
+  const auto run = coupled::run_of(suction({"time.step=40e-6", "scene.end_time=0.01"}));
+  EXPECT_EQ(run.state.step.approach_limited, 0);
+  EXPECT_GT(run.state.step.approach, 0.0);
+  EXPECT_LT(run.state.step.approach, 0.3);
+}
+
+TEST(self_contact, layers_that_meet_end_the_run_with_the_stiffness_that_would_do) {
+  const auto run = coupled::run_of(suction({"membrane.overpressure=-5.0e3"}));
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::failed);
+  for (const char* word :
+       {"stage S4_contact at ", " met; ", "(elements ", " against ", ", from 0) in a step of ",
+        "try membrane.self_contact.stiffness = ", "(now 1e+05)", "time.safety"})
+    EXPECT_NE(run.outcome.message.find(word), std::string::npos) << run.outcome.message;
+  const std::string key = "membrane.self_contact.stiffness = ";
+  const std::string stiffness =
+      run.outcome.message.substr(run.outcome.message.find(key) + key.size()).substr(0, 9);
+  const auto stiffer =
+      coupled::run_of(suction({"membrane.overpressure=-5.0e3",
+                               "membrane.self_contact.stiffness=" + std::to_string(std::stod(stiffness))}));
+  EXPECT_GT(stiffer.state.time, run.state.time);
+}
+
+TEST(self_contact, record_says_when_layers_touch) {
+  const auto run = coupled::run_of(suction());
+  const driver::SelfContactRecord& record = run.state.peaks.self_contact;
+  const auto at = [](const char* name) { return [name](const coupled::Row& row) { return row.at(name); }; };
+  EXPECT_GT(record.limited_at_start, 0) << "at the rim";
+  EXPECT_GT(record.smallest_limit, 0.0);
+  EXPECT_LT(record.smallest_limit, kThickness);
+  EXPECT_GE(record.contacts, std::ranges::max(run.history, {}, at("self_contacts")).at("self_contacts"));
+  EXPECT_LE(record.gap, std::ranges::min(run.history, {}, at("self_gap_m")).at("self_gap_m"));
+  EXPECT_TRUE(std::isinf(record.one_room_from)) << "pressed together to the end";
+  EXPECT_GT(run.state.step.self_contact_sum, 0.0);
+  EXPECT_LT(run.state.step.self_contact_sum, run.state.step.share_sums.total());
+}
+
+}  // namespace
