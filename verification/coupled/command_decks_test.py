@@ -30,7 +30,7 @@ BELOW = set("""file time value strain mass_ratio strain_column overpressure_colu
     generator refine heat_loss nasa7 rings vents time_ fabric ambient gas inflator jet vent sensor trigger membrane strap plate pendulum contact
     scene output weave panel depth width height back_radius front_radius depth_cells width_cells height_cells attachment_width_cells
     attachment_height_cells vent_depth_cell vent_height_cell inflator_radius opening inflator_rings vent_ring centre normal side columns rows
-    area step safety unsafe_step gas_tolerance gas_step gas_method""".split())
+    self_contact area step safety unsafe_step gas_tolerance gas_step gas_method""".split())
 
 
 def test_decks_keys():
@@ -120,6 +120,25 @@ def test_decks_curves_reader(form, name, pattern, new, says):
     export(f"cases/{name}.toml", form, "deck")
     change(f"deck/{FILES[form]}", (pattern, new))
     assert any(says in fault for fault in read_deck(form, f"deck/{FILES[form]}")[1])
+
+
+@forms
+def test_decks_self_contact(form):
+    """The fabric against itself, null panels not: the thickness in the deck's unit, and beside the impactor's contact."""
+    contact = ("--set", "membrane.self_contact={thickness=1.5e-3,friction=0.25}")
+    export(PASSENGER, form, "folded", *contact, units="t-mm-s")
+    whole(form, "folded")
+    deck = read(f"folded/{FILES[form]}")
+    if form == "radioss":
+        assert len(re.findall("(?m)^/INTER/TYPE7/", deck)) == 2
+        card, parts = re.search(r"(?m)^/INTER/TYPE7/2\n(?:.*\n){8}(.*)\n", deck)[1], re.search(r"(?m)^/SURF/PART/3\n.*\n(.*)\n", deck)[1]
+        assert [float(value) for value in card.split()][1:3] == [0.25, 1.5]
+    else:
+        block = re.search(r"(?s)\*CONTACT_AIRBAG_SINGLE_SURFACE_ID\n(.*?)\n\*", deck)[1].split("\n")
+        assert block[4].split()[:2] == [".25", ".25"] and block[6].split()[2] == "1.5"
+        parts = re.search(r"(?m)^\*SET_PART_LIST\n.*SID\n +2\n(.*)\n", deck)[1]
+    assert len(parts.split()) == 4  # of five panels one, the vent, is null
+    assert has("folded/export.md", "the distance of layers is below 0.0015 m")
 
 
 @forms

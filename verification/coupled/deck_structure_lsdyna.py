@@ -36,6 +36,8 @@ CARDS = {
     "CONSTRAINED_JOINT_REVOLUTE_ID": [TITLE, "node i10 node i10 node i10 node i10 node i10 node i10 r10 r10"],
     "CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID": [TITLE, "nodes i10 part i10 i10 i10 i10 i10 i10 i10",
                                               "r10 r10 r10 r10 r10 i10 r10 r10", EIGHT, "i10 r10 i10 r10 r10 i10 i10 i10"],
+    "CONTACT_AIRBAG_SINGLE_SURFACE_ID": [TITLE, "parts i10 i10 i10 i10 i10 i10 i10 i10", "r10 r10 r10 r10 r10 i10 r10 r10", EIGHT,
+                                         "i10 r10 i10 r10 r10 i10 i10 i10", "r10 i10 i10 i10 i10 i10 r10 r10", "i10 i10 r10 r10 r10 -10 r10 i10"],
     "DATABASE_BINARY_D3PLOT": ["r10 i10 i10 i10 i10"],
     "END": [],
 }

@@ -76,6 +76,19 @@ void note_contact(const Scene& scene, Deck& deck) {
            longest, radius, depth, std::sqrt(6.0 * radius * deck.contact_gap))});
 }
 
+void note_self_contact(const Scene& scene, Deck& deck) {
+  const coupling::SkinContactParameters& p = scene.skin_contact->parameters();
+  deck.notes.push_back(
+      {"membrane.self_contact",
+       fmt::format(
+           "the case's pressure is {:.3g} N/m3 times what the distance of layers is below {:.3g} m; the "
+           "program's own penalty is another one{}",
+           p.stiffness, p.thickness,
+           deck.format == DeckFormat::radioss
+               ? ", and acts between nodes and elements: for edges add /INTER/TYPE11 by hand"
+               : "")});
+}
+
 std::string jetting_of(DeckFormat format) {
   if (format == DeckFormat::lsdyna)
     return "The program's own jetting is a cone with an efficiency. How it loads an element is not published "
@@ -134,6 +147,7 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   if (scene.pendulum && scene.pendulum->driving_moment)
     deck.notes.push_back({"pendulum.driving_moment", "is not written: load the rigid body by hand"});
   if (scene.contact) note_contact(scene, deck);
+  if (scene.skin_contact) note_self_contact(scene, deck);
   add_fabric(*scene.bag, deck);
   if (scene.name.size() > title_columns)
     deck.notes.push_back(

@@ -33,6 +33,7 @@ class LsDynaDeck : private LsDynaIds {
   void supports();
   void plate(const membrane::Plate& wall);
   void damping();
+  void self_contact();
   void pressure();
   void loads();
   void requests();
@@ -49,6 +50,7 @@ std::string LsDynaDeck::text() {
   write_lsdyna_straps(deck_, out_);
   supports();
   if (deck_.scene->pendulum) write_lsdyna_pendulum(deck_, out_);
+  if (deck_.scene->skin_contact) self_contact();
   if (deck_.scene->gas) write_lsdyna_airbag(deck_, out_);
   loads();
   requests();
@@ -134,6 +136,25 @@ void LsDynaDeck::damping() {
       out_.row({{"PID", whole(p.id, 10)}, {"COEF", narrow(-beta)}});  // below zero: the coefficient itself
     }
   }
+}
+
+void LsDynaDeck::self_contact() {
+  constexpr int by_part_set = 2, of_segments = 2, as_at_start = 1;  // IGNORE: as (K.45)
+  std::vector<int> fabric;
+  for (const DeckPart& p : deck_.parts)
+    if (!p.null_panel) fabric.push_back(p.id);
+  out_.set("PART", fabric_parts, fabric);
+  const coupling::SkinContactParameters& p = deck_.scene->skin_contact->parameters();
+  out_.contact({.kind = "AIRBAG_SINGLE_SURFACE",
+                .id = 2,
+                .name = "bag against itself",
+                .first = fabric_parts,
+                .first_kind = by_part_set,
+                .friction = p.friction,
+                .thickness = p.thickness});
+  out_.row({{"SOFT", whole(of_segments, 10)}});
+  out_.row({{"PENMAX", narrow(0.0)}});
+  out_.row({{"IGAP", whole(1, 10)}, {"IGNORE", whole(as_at_start, 10)}});
 }
 
 void LsDynaDeck::pressure() {

@@ -15,8 +15,26 @@ namespace driver {
 
 /// Numbers of single objects of an LS-DYNA deck.
 struct LsDynaIds {
-  enum Set { bag_parts = 1, bag_shells = 1, bag_set = 1, free_set, first_held_set };  // parts; shells; nodes
-  static constexpr int constant_one = 1;                                              // curve
+  enum Set {
+    bag_parts = 1,
+    fabric_parts,
+    bag_shells = 1,
+    bag_set = 1,
+    free_set,
+    first_held_set
+  };                                      // parts; shells; nodes
+  static constexpr int constant_one = 1;  // curve
+};
+
+/// A contact by its first three cards; their numbers stand in the program's manual.
+struct LsDynaContact {
+  std::string_view kind;  // the keyword's end
+  int id;
+  std::string_view name;
+  int first, first_kind;            // SSID, SSTYP
+  int second = 0, second_kind = 0;  // MSID, MSTYP
+  double friction = 0.0;            // [-]
+  double thickness = 0.0;           // [m] SST
 };
 
 /// Cards in an LS-DYNA deck's units, with the keywords that several blocks use.
@@ -39,6 +57,7 @@ class LsDynaCards : public Cards {
   void node(int id, const Eigen::Vector3d& x);
   void set(const char* kind, int id, const std::vector<int>& members);
   void part(int id, std::string_view name);
+  void contact(const LsDynaContact& contact);
   void triangles(int part_id, int first_element, int first_node, const Eigen::Matrix3Xi& corners,
                  const std::vector<int>& elements);
 

@@ -76,4 +76,34 @@ void LsDynaCards::triangles(int part_id, int first_element, int first_node, cons
   }
 }
 
+void LsDynaCards::contact(const LsDynaContact& contact) {
+  const Field none = narrow(0.0), friction = narrow(contact.friction), one = narrow(1.0);
+  keyword(fmt::format("CONTACT_{}_ID", contact.kind));
+  line(fmt::format("{:>10}{}", contact.id, contact.name));
+  row({{"SSID", whole(contact.first, 10)},
+       {"MSID", whole(contact.second, 10)},
+       {"SSTYP", whole(contact.first_kind, 10)},
+       {"MSTYP", whole(contact.second_kind, 10)},
+       {"SBOXID", whole(0, 10)},
+       {"MBOXID", whole(0, 10)},
+       {"SPR", whole(1, 10)},
+       {"MPR", whole(1, 10)}});
+  row({{"FS", friction},
+       {"FD", friction},
+       {"DC", none},
+       {"VC", none},
+       {"VDC", none},
+       {"PENCHK", whole(0, 10)},
+       {"BT", none},
+       {"DT", narrow(1e20)}});
+  row({{"SFS", one},
+       {"SFM", one},
+       {"SST", narrow(contact.thickness / u_.length)},
+       {"MST", none},
+       {"SFST", one},
+       {"SFMT", one},
+       {"FSF", one},
+       {"VSF", one}});
+}
+
 }  // namespace driver

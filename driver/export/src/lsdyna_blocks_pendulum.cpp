@@ -114,36 +114,16 @@ void LsDynaPendulum::write() {
 }
 
 void LsDynaPendulum::contact() {
-  const Field none = narrow(0.0), friction = narrow(deck_.scene->contact->parameters().friction);
   constexpr int by_part = 3, by_nodes = 4;
-  out_.keyword("CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID");
-  out_.line(fmt::format("{:>10}{}", 1, "impactor against bag"));
-  out_.row({{"SSID", whole(LsDynaIds::bag_set, 10)},
-            {"MSID", whole(ids_.sphere_part, 10)},
-            {"SSTYP", whole(by_nodes, 10)},
-            {"MSTYP", whole(by_part, 10)},
-            {"SBOXID", whole(0, 10)},
-            {"MBOXID", whole(0, 10)},
-            {"SPR", whole(1, 10)},
-            {"MPR", whole(1, 10)}});
-  out_.row({{"FS", friction},
-            {"FD", friction},
-            {"DC", none},
-            {"VC", none},
-            {"VDC", none},
-            {"PENCHK", whole(0, 10)},
-            {"BT", none},
-            {"DT", narrow(1e20)}});
-  const Field one = narrow(1.0);
-  out_.row({{"SFS", one},
-            {"SFM", one},
-            {"SST", none},
-            {"MST", none},
-            {"SFST", one},
-            {"SFMT", one},
-            {"FSF", one},
-            {"VSF", one}});
   constexpr int by_mass_and_step = 1;  // stiffness from mass and step, as fabric is soft against a rigid body
+  out_.contact({.kind = "AUTOMATIC_NODES_TO_SURFACE",
+                .id = 1,
+                .name = "impactor against bag",
+                .first = LsDynaIds::bag_set,
+                .first_kind = by_nodes,
+                .second = ids_.sphere_part,
+                .second_kind = by_part,
+                .friction = deck_.scene->contact->parameters().friction});
   out_.row({{"SOFT", whole(by_mass_and_step, 10)}});
 }
 

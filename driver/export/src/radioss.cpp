@@ -23,6 +23,7 @@ class RadiossStarter : private RadiossIds {
   void nodes();
   void supports();
   void surfaces();
+  void self_contact();
   void pressure();
   void loads();
   void requests();
@@ -41,6 +42,7 @@ std::string RadiossStarter::text() {
   supports();
   if (deck_.scene->pendulum) write_radioss_pendulum(deck_, out_);
   surfaces();
+  if (deck_.scene->skin_contact) self_contact();
   if (deck_.scene->gas) write_radioss_airbag(deck_, out_);
   loads();
   requests();
@@ -103,6 +105,23 @@ void RadiossStarter::surfaces() {
   for (const DeckPart& p : deck_.parts) parts.push_back(p.id);
   out_.title("/SURF/PART/1", "bag");
   out_.list(parts, 10);
+}
+
+void RadiossStarter::self_contact() {
+  constexpr int surface = 3, softer_side = 4, gap_of_start = 6;  // 6: as (K.45), with a little room
+  std::vector<int> fabric;
+  for (const DeckPart& p : deck_.parts)
+    if (!p.null_panel) fabric.push_back(p.id);
+  out_.title(fmt::format("/SURF/PART/{}", surface), "fabric");
+  out_.list(fabric, 10);
+  const coupling::SkinContactParameters& p = deck_.scene->skin_contact->parameters();
+  out_.contact({.id = 2,
+                .name = "bag against itself",
+                .surface = surface,
+                .friction = p.friction,
+                .gap = p.thickness,
+                .stiffness = softer_side,
+                .at_start = gap_of_start});
 }
 
 void RadiossStarter::pressure() {

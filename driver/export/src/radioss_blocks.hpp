@@ -29,6 +29,17 @@ struct RadiossIds {
   static constexpr int constant_one = 1;  // function
 };
 
+/// Contact of the bag's nodes with a surface.
+struct RadiossContact {
+  int id;
+  std::string_view name;
+  int surface;
+  double friction;    // [-]
+  double gap;         // [m]
+  int stiffness = 0;  // Istf
+  int at_start = 0;   // Inacti
+};
+
 /// Cards in a Radioss deck's units, with the keywords that several blocks use.
 class RadiossCards : public Cards, public RadiossIds {
  public:
@@ -39,6 +50,7 @@ class RadiossCards : public Cards, public RadiossIds {
   void point(const Eigen::Vector3d& x);
   void part(int id, std::string_view name, int property, int law);
   void group(Group id, std::string_view name, const std::vector<int>& nodes);
+  void contact(const RadiossContact& contact);
   void hold(int id, std::string_view code, Group nodes);
   void triangles(int part_id, int first_element, int first_node, const Eigen::Matrix3Xi& corners,
                  const std::vector<int>& elements);

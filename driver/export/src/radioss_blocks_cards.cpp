@@ -53,4 +53,36 @@ int RadiossCards::function(std::string_view name, const DeckCurve& curve, double
   return functions_;
 }
 
+void RadiossCards::contact(const RadiossContact& contact) {
+  title(fmt::format("/INTER/TYPE7/{}", contact.id), contact.name);
+  const auto zeros = [](int count) {
+    return std::vector<Field>(static_cast<std::size_t>(count), real(0.0, 20));
+  };
+  line(
+      "# grnod_id   surf_id      Istf      Ithe      Igap                Ibag      Idel     Icurv      Iadm");
+  card({whole(all_nodes, 10), whole(contact.surface, 10), whole(contact.stiffness, 10), whole(0, 10),
+        whole(0, 10), blank(10), whole(0, 10), whole(0, 10), whole(0, 10), whole(0, 10)});
+  line("#          Fscalegap             Gap_max             Fpenmax                         Itied");
+  card({real(0.0, 20), real(0.0, 20), real(0.0, 20), blank(20), whole(0, 10)});
+  line(
+      "#              Stmin               Stmax   Percent_mesh_size               dtmin  Irem_gap   Irem_i2");
+  auto stiffness = zeros(4);
+  stiffness.push_back(whole(0, 10));
+  stiffness.push_back(whole(0, 10));
+  card(stiffness);
+  line(
+      "#              Stfac                Fric              GAPmin              Tstart               Tstop");
+  card({real(1.0, 20), real(contact.friction, 20), real(contact.gap / u_.length, 20), real(0.0, 20),
+        real(0.0, 20)});
+  line(
+      "#      IBC                        Inacti               VIS_S               VIS_F              Bumult");
+  card(
+      {word("000", 10), blank(20), whole(contact.at_start, 10), real(0.0, 20), real(0.0, 20), real(0.0, 20)});
+  line(
+      "#    Ifric    Ifiltr               Xfreq     Iform   sens_ID   fct_IDF             AscaleF   fric_ID");
+  constexpr int by_stiffness = 2;
+  card({whole(0, 10), whole(0, 10), real(0.0, 20), whole(by_stiffness, 10), whole(0, 10), whole(0, 10),
+        real(0.0, 20), whole(0, 10)});
+}
+
 }  // namespace driver

@@ -113,34 +113,11 @@ void RadiossPendulum::joint(const coupling::PendulumParameters& p) {
 void RadiossPendulum::contact() {
   out_.title("/SURF/PART/2", "impactor");
   out_.list({ids_.sphere_part}, 10);
-  out_.title("/INTER/TYPE7/1", "impactor against bag");
-  const auto zeros = [](int count) {
-    return std::vector<Field>(static_cast<std::size_t>(count), real(0.0, 20));
-  };
-  out_.line(
-      "# grnod_id   surf_id      Istf      Ithe      Igap                Ibag      Idel     Icurv      Iadm");
-  out_.card({whole(all_nodes, 10), whole(2, 10), whole(0, 10), whole(0, 10), whole(0, 10), blank(10),
-             whole(0, 10), whole(0, 10), whole(0, 10), whole(0, 10)});
-  out_.line("#          Fscalegap             Gap_max             Fpenmax                         Itied");
-  out_.card({real(0.0, 20), real(0.0, 20), real(0.0, 20), blank(20), whole(0, 10)});
-  out_.line(
-      "#              Stmin               Stmax   Percent_mesh_size               dtmin  Irem_gap   Irem_i2");
-  auto stiffness = zeros(4);
-  stiffness.push_back(whole(0, 10));
-  stiffness.push_back(whole(0, 10));
-  out_.card(stiffness);
-  out_.line(
-      "#              Stfac                Fric              GAPmin              Tstart               Tstop");
-  out_.card({real(1.0, 20), real(deck_.scene->contact->parameters().friction, 20),
-             real(deck_.contact_gap / u_.length, 20), real(0.0, 20), real(0.0, 20)});
-  out_.line(
-      "#      IBC                        Inacti               VIS_S               VIS_F              Bumult");
-  out_.card({word("000", 10), blank(20), whole(0, 10), real(0.0, 20), real(0.0, 20), real(0.0, 20)});
-  out_.line(
-      "#    Ifric    Ifiltr               Xfreq     Iform   sens_ID   fct_IDF             AscaleF   fric_ID");
-  constexpr int by_stiffness = 2;
-  out_.card({whole(0, 10), whole(0, 10), real(0.0, 20), whole(by_stiffness, 10), whole(0, 10), whole(0, 10),
-             real(0.0, 20), whole(0, 10)});
+  out_.contact({.id = 1,
+                .name = "impactor against bag",
+                .surface = 2,
+                .friction = deck_.scene->contact->parameters().friction,
+                .gap = deck_.contact_gap});
 }
 
 }  // namespace
