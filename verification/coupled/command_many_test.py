@@ -155,6 +155,7 @@ def test_cost_scenes():
     quick = "--set scene.end_time=2e-4 --runs 3 --quiet"
     expect(0, "^without pendulum and contact ", f"cost {PASSENGER} --unset inflator.0.jet {quick} --set output.channel_classes=[60,180]")
     expect(0, "left out: without pendulum and contact: a sensor waits for the contact", f"cost cases/contact_vent.toml {quick}")
+    expect(0, "(?s)^without self-contact .*\nself-contact ", f"cost {SPHERE} {quick} --set membrane.self_contact.thickness=1e-3")
     for says, words in (("no_such.toml: no such file", "no_such.toml"), ("--runs.*2.*3", f"{PASSENGER} --runs 2"), ("--runs", f"{PASSENGER} --runs many"),
                         ("--format", f"{PASSENGER} --format yaml"), ("fabric.thickness: is -1", f"{PASSENGER} --set fabric.thickness=-1")):
         refused(says, f"cost {words} --out none")

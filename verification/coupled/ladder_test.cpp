@@ -217,4 +217,36 @@ TEST(ladder, finer_mesh_is_the_same_scene) {
             coarse.bag->model.description.plates.front().stiffness);
 }
 
+TEST(ladder, self_contact_is_an_effect_and_keeps_its_law_in_a_finer_mesh) {
+  const auto axis = [](const driver::LadderPlan& plan, const char* name) {
+    const auto found = std::ranges::find(plan.axes, name, &driver::LadderAxis::name);
+    return found == plan.axes.end() ? nullptr : &*found;
+  };
+  const auto plan_of = [](const Texts& texts) {
+    return driver::plan_ladder(case_file("sphere_inflation"), texts, "pressure", {});
+  };
+  EXPECT_EQ(axis(plan_of({}), "self_contact"), nullptr);
+  const Texts thin{"membrane.self_contact.thickness=1e-3"};
+  const auto plan = plan_of(thin);
+  const driver::LadderAxis* effect = axis(plan, "self_contact");
+  ASSERT_NE(effect, nullptr);
+  ASSERT_EQ(effect->choices.size(), 2u);
+  EXPECT_EQ(effect->base, 1u);
+  Texts off = thin, finer = thin;
+  for (const auto& text : effect->choices[0].overrides) off.push_back(text);
+  EXPECT_FALSE(coupled::scene_of("sphere_inflation", off).skin_contact);
+  for (const auto& text : axis(plan, "mesh")->choices.back().overrides) finer.push_back(text);
+  const auto coarse = coupled::scene_of("sphere_inflation", thin),
+             fine = coupled::scene_of("sphere_inflation", finer);
+  EXPECT_EQ(fine.bag->model.element_count, 4 * coarse.bag->model.element_count);
+  EXPECT_EQ(fine.skin_contact->parameters().stiffness, coarse.skin_contact->parameters().stiffness);
+  // A finer mesh would have elements smaller than these layers.
+  const double smallest =
+      mesh::element_quality(coarse.bag->mesh.nodes, coarse.bag->mesh.elements).min_altitude;
+  const auto thick = plan_of({"membrane.self_contact.thickness=" + std::to_string(0.9 * smallest)});
+  EXPECT_EQ(axis(thick, "mesh")->base + 1, axis(thick, "mesh")->choices.size());
+  ASSERT_FALSE(thick.left_out.empty());
+  EXPECT_EQ(thick.left_out.back(), "finer meshes: membrane.self_contact.thickness is above their elements");
+}
+
 }  // namespace

@@ -39,6 +39,7 @@ struct CostPart {
 constexpr CostPart cost_parts[] = {{"jet", cost_no_jet},
                                    {"hidden-element test", cost_no_occlusion},
                                    {"pendulum and contact", cost_no_contact},
+                                   {"self-contact", cost_no_self_contact},
                                    {"files and rows", cost_no_files}};
 
 double gas_seconds(const CostVariant& v) {

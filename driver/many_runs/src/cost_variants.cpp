@@ -51,6 +51,10 @@ class Variants {
     add(cost_no_contact, std::move(off));
   }
 
+  void self_contact() {
+    if (scene_.skin_contact) add(cost_no_self_contact, {"unset membrane.self_contact"});
+  }
+
   void gas() {
     if (!scene_.has_volume() || !case_.value("time.gas_step").empty())
       return leave_out("gas to 1e-6", "the scene has no gas that is integrated to a tolerance");
@@ -83,6 +87,7 @@ void add_variants(const Scene& scene, const CaseDocument& document, CostResult& 
   variants.jet();
   variants.occlusion();
   variants.contact();
+  variants.self_contact();
   variants.gas();
   variants.files();
 }

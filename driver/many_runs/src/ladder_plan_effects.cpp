@@ -86,6 +86,11 @@ class Effects {
     effect("compression", {linear, none});
   }
 
+  void self_contact() {
+    if (!scene_.skin_contact) return;
+    effect("self_contact", {{"self-contact off", {"unset membrane.self_contact"}}, {"self-contact on", {}}});
+  }
+
   // What nobody knows of a jet (docs/theory/jet_push.md).
   void jet_assumptions() {
     if (scene_.jets.empty() || !scene_.bag) return;
@@ -180,6 +185,7 @@ void add_effects(const Scene& scene, const CaseSettings& settings, LadderPlan& p
   effects.heat_capacity();
   effects.porosity();
   effects.compression();
+  effects.self_contact();
   effects.jet_assumptions();
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ladder_plan.hpp"
 
@@ -48,6 +49,10 @@ class Resolutions {
     const int own = std::stoi(case_.value(key)), low = sphere ? 1 : 0, high = sphere ? 8 : 6;
     LadderAxis axis{"mesh", AxisKind::halving, {}, 0, 0};
     for (int level = std::max(low, own - 1); level <= std::min(own + plan_.finer, high); ++level) {
+      if (level > own && !layers_fit(level - own)) {
+        plan_.left_out.emplace_back("finer meshes: membrane.self_contact.thickness is above their elements");
+        break;
+      }
       LadderChoice choice{fmt::format("mesh {} {}", sphere ? "levels" : "refine", level), {}};
       if (level == own) axis.base = axis.choices.size();
       if (level != own) {
@@ -100,6 +105,16 @@ class Resolutions {
   }
 
  private:
+  // The thickness of layers may be as large as the smallest altitude of an element, which halves with each
+  // level; on a sphere a little more.
+  bool layers_fit(int levels) const {
+    if (!scene_.skin_contact) return true;
+    constexpr double of_sphere = 0.9;
+    const mesh::Mesh& mesh = scene_.bag->mesh;
+    const double smallest = mesh::element_quality(mesh.nodes, mesh.elements).min_altitude;
+    return scene_.skin_contact->parameters().thickness <= of_sphere * std::ldexp(smallest, -levels);
+  }
+
   // Defaults that follow the elements' size would make another scene of a finer mesh.
   void keep_stiffness(Overrides& overrides) const {
     const auto& plates = scene_.bag->model.description.plates;
@@ -108,6 +123,11 @@ class Resolutions {
     if (scene_.contact && !case_.has("contact.stiffness")) {
       case_.unset(overrides, "contact.stiffness_share");
       overrides.push_back(fmt::format("contact.stiffness={}", scene_.contact->parameters().stiffness));
+    }
+    if (scene_.skin_contact && !case_.has("membrane.self_contact.stiffness")) {
+      case_.unset(overrides, "membrane.self_contact.stiffness_share");
+      overrides.push_back(
+          fmt::format("membrane.self_contact.stiffness={}", scene_.skin_contact->parameters().stiffness));
     }
   }
 

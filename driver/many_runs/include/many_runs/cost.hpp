@@ -67,6 +67,7 @@ inline constexpr const char* cost_base = "as it is";
 inline constexpr const char* cost_no_jet = "without jet";
 inline constexpr const char* cost_no_occlusion = "without hidden-element test";
 inline constexpr const char* cost_no_contact = "without pendulum and contact";
+inline constexpr const char* cost_no_self_contact = "without self-contact";
 inline constexpr const char* cost_no_files = "without files";
 
 /// The paper's two runs of its scene [s], with the jet and without.
