@@ -137,6 +137,14 @@ TEST(self_contact, layers_that_meet_end_the_run_with_the_stiffness_that_would_do
   EXPECT_GT(stiffer.state.time, run.state.time);
 }
 
+TEST(self_contact, stiffness_that_asks_for_steps_without_end_is_named) {
+  const auto run = coupled::run_of(suction({"membrane.self_contact.stiffness=1e25"}));
+  ASSERT_EQ(run.outcome.status, driver::RunStatus::failed);
+  for (const char* word : {"more than 1e9 steps of", "self-contact 100 %",
+                           "lower membrane.self_contact.stiffness or membrane.self_contact.stiffness_share"})
+    EXPECT_NE(run.outcome.message.find(word), std::string::npos) << run.outcome.message;
+}
+
 TEST(self_contact, record_says_when_layers_touch) {
   const auto run = coupled::run_of(suction());
   const driver::SelfContactRecord& record = run.state.peaks.self_contact;

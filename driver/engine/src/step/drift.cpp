@@ -48,9 +48,11 @@ Named largest(std::initializer_list<Named> list) {
 
 std::string governing_share(const State& state) {
   const membrane::StiffnessShares& s = state.step.share_sums;
+  const double self = state.step.self_contact_sum;
   const Named governing = largest({{"fabric", s.element},
                                    {"gas", s.gas},
-                                   {"contact", s.contact},
+                                   {"contact", s.contact - self},
+                                   {"self-contact", self},
                                    {"straps", s.strap},
                                    {"plate", s.plate}});
   return fmt::format("; on average {:.0f} % of the step's limit comes from the {}",

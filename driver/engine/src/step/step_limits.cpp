@@ -20,8 +20,10 @@ namespace {
 // What makes the bag stiff, largest first; shares below half a per cent are left out.
 std::string shares_text(const Scene& scene, const State& state) {
   const membrane::StiffnessShares& s = state.step.shares;
-  std::vector<std::pair<double, const char*>> shares{
-      {s.element, "fabric"}, {s.gas, "gas"}, {s.contact, "contact"}, {s.strap, "straps"}, {s.plate, "plate"}};
+  const double self = state.step.self_contact;
+  std::vector<std::pair<double, const char*>> shares{{s.element, "fabric"},         {s.gas, "gas"},
+                                                     {s.contact - self, "contact"}, {self, "self-contact"},
+                                                     {s.strap, "straps"},           {s.plate, "plate"}};
   std::ranges::sort(shares, std::greater{}, &std::pair<double, const char*>::first);
   std::string text;
   for (const auto& [share, name] : shares)
@@ -49,10 +51,10 @@ std::string collapse(const Scene& scene, const State& state) {
 // The key that lengthens the step most.
 std::string advice(const State& state) {
   const membrane::StiffnessShares& s = state.step.shares;
-  const double most = std::max({s.element, s.gas, s.contact, s.strap, s.plate});
-  if (s.contact == most && 2.0 * state.step.self_contact > s.contact)
-    return "; lower membrane.self_contact.stiffness or membrane.self_contact.stiffness_share";
-  if (s.contact == most) return "; lower contact.stiffness or contact.stiffness_share";
+  const double self = state.step.self_contact, sphere = s.contact - self;
+  const double most = std::max({s.element, s.gas, sphere, self, s.strap, s.plate});
+  if (sphere == most) return "; lower contact.stiffness or contact.stiffness_share";
+  if (self == most) return "; lower membrane.self_contact.stiffness or membrane.self_contact.stiffness_share";
   if (s.strap == most) return "; lower membrane.strap.stiffness";
   if (s.plate == most) return "; lower membrane.plate.stiffness";
   if (s.gas == most) return "; the gas is stiff in so small a volume: begin with a larger one";
