@@ -67,3 +67,10 @@ def test_self_contact_crossed_start():
         refused(said, command)
     expect(0, "passes through itself at the start", "check crossed.toml --unset membrane.self_contact")
     assert has("crossed.toml", "self_contact")
+
+
+def test_self_contact_of_displaced_layers():
+    write("near.toml", *(line.replace("radius = 0.3", "radius = 0.3, opening = 4e-4") for line in PRESSED))
+    runs = "ensemble near.toml --runs 2 --set scene.end_time=1e-4"
+    expect(3, "(?s)self_contact: layers cross at the start, .*: displaced by up to 0.001 m; lower the amplitude", f"{runs} --amplitude 1e-3 --out crossed")
+    ok(f"{runs} --amplitude 1e-5 --out apart")

@@ -15,6 +15,7 @@
 #include "base/progress.hpp"
 #include "base/text_file.hpp"
 #include "many_runs/quantities.hpp"
+#include "results/skin_checks.hpp"
 
 namespace driver {
 namespace {
@@ -74,10 +75,22 @@ class ScenePool {
   std::vector<Free> free_;
 };
 
+// The displacement may push layers through each other, which contact could not undo.
+RecordedRun first_run(const Scene& scene, const RunJob& job, int seed) {
+  if (seed == 0 || !scene.skin_contact) return record_run(scene);
+  const std::string crossed = crossed_layers(scene);
+  if (crossed.empty()) return record_run(scene);
+  RecordedRun run;
+  run.outcome.status = RunStatus::failed;
+  run.outcome.message = fmt::format(
+      "membrane.self_contact: {}: displaced by up to {:.3g} m; lower the amplitude", crossed, job.amplitude);
+  return run;
+}
+
 RecordedRun recorded(Scene& scene, const RunJob& job, int seed) {
   const Eigen::Matrix3Xd shape = scene.bag ? scene.bag->initial_position : Eigen::Matrix3Xd();
   if (seed > 0) displace_nodes(scene, job.amplitude, seed);
-  RecordedRun run = record_run(scene);
+  RecordedRun run = first_run(scene, job, seed);
   double total = run.cpu_seconds, least = total;
   for (int i = 1; job.for_cost && run.outcome.status == RunStatus::done && least <= short_run &&
                   (i < short_repeats || total < short_run);

@@ -82,12 +82,12 @@ void add_skin_warning(Scene& scene) {
                   text_of(crossing, volume)));
 }
 
-void require_separate_layers(CaseDocument& document, const Scene& scene) {
+std::string crossed_layers(const Scene& scene) {
   const BagPart& bag = *scene.bag;
   const auto& elements = bag.mesh.elements;
   const auto& position = bag.initial_position;
   const Crossing crossing = find_crossing(position, elements, scene.gas.has_value(), bag.null_elements);
-  if (crossing.layers == 0) return;
+  if (crossing.layers == 0) return {};
   const auto [first, second] = crossing.first_layers;
   const auto centre = [&](int e) -> Eigen::Vector3d {
     return (position.col(elements(0, e)) + position.col(elements(1, e)) + position.col(elements(2, e))) / 3.0;
@@ -98,15 +98,21 @@ void require_separate_layers(CaseDocument& document, const Scene& scene) {
   };
   const Eigen::Vector3d x = 0.5 * (centre(first) + centre(second));
   const double volume = scene.gas ? mesh::enclosed_volume(position, elements) : 0.0;
+  return fmt::format(
+      "layers cross at the start, {} pairs of elements without a common node, the first near [{:.3g}, "
+      "{:.3g}, "
+      "{:.3g}] m, elements {} and {}{}; in all {}",
+      crossing.layers, x.x(), x.y(), x.z(), name(first), name(second),
+      bag.mesh.line.empty() ? " (from 0)" : "", text_of(crossing, volume));
+}
+
+void require_separate_layers(CaseDocument& document, const Scene& scene) {
+  const std::string crossed = crossed_layers(scene);
+  if (crossed.empty()) return;
   document.root()
       .table("membrane")
       .table("self_contact")
-      .fail("", fmt::format(
-                    "layers cross at the start, {} pairs of elements without a common node, the first near "
-                    "[{:.3g}, {:.3g}, {:.3g}] m, elements {} and {}{}; in all {}. Pull the layers apart, or "
-                    "leave this table out",
-                    crossing.layers, x.x(), x.y(), x.z(), name(first), name(second),
-                    bag.mesh.line.empty() ? " (from 0)" : "", text_of(crossing, volume)));
+      .fail("", crossed + ". Pull the layers apart, or leave this table out");
 }
 
 }  // namespace driver

@@ -49,6 +49,8 @@ std::string note_of_crossing(const std::vector<SkinCheck>& checks, bool self_con
 /// Adds a warning if elements of the bag cross each other at the start.
 void add_skin_warning(Scene& scene);
 
+/// Number, place and volume of the bag's layers that cross at the start; empty if none do.
+std::string crossed_layers(const Scene& scene);
 /// Throws CaseError if layers of a bag with [membrane.self_contact] cross at the start.
 void require_separate_layers(CaseDocument& document, const Scene& scene);
 
