@@ -214,7 +214,7 @@ const makeRunDetails = run => {
   if (s?.residual && Object.keys(s.residual).length) blocks.push(block("Greatest residuals, relative", tableOf(["balance", "residual"], Object.entries(s.residual).map(([k, v]) => [k.replace("_rel", "").replaceAll("_", " "), v]))));
   if (s?.streams) blocks.push(block("Streams", tableOf(["stream", "mass [kg]", "energy, sensible [J]"], Object.entries(s.streams).map(([k, v]) => [k, v.mass_kg, v.sensible_J ?? ""]))));
   if (s?.dt) {
-    const rows = leaves(s.dt).filter(([k]) => !k.startsWith("shares")).map(([k, v]) => [k.replaceAll("_", " "), v, k.startsWith("limited_by") ? "steps" : k === "largest_deformation" ? "" : "s"]);
+    const rows = leaves(s.dt).filter(([k]) => !k.startsWith("shares")).map(([k, v]) => [k.replaceAll("_", " "), v, k.startsWith("limited_by") ? "steps" : k.startsWith("largest_") ? "" : "s"]);
     const node = element("div", {}, tableOf(["step", "value", "unit"], rows));
     if (s.dt.shares) node.append(element("div", { class: "small", textContent: "what limits it, mean shares" }), bars(Object.entries(s.dt.shares).map(([k, v]) => [k, v, `${(100 * v).toFixed(1)} %`])));
     blocks.push(block("Step", node));
