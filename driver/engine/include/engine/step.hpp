@@ -24,8 +24,8 @@ struct StepRequest {
 };
 
 /// S2 to S7: gas and forces of level n, and the size of the step that leaves it. Neither part of a step
-/// allocates, but for a visibility search and lists of layers that come near each other. Both throw StepError,
-/// gas::DomainError, membrane::MembraneError, jet::DomainError or coupling::ContactError.
+/// allocates, but for a visibility search and lists of layers that come near each other. Both throw
+/// StepError, gas::DomainError, membrane::MembraneError, jet::DomainError or coupling::ContactError.
 void evaluate_level(const Scene& scene, State& state, const StepRequest& request,
                     const Executor& executor = Executor::serial());
 /// S8 to S11: from level n, as evaluated for the same request, to n+1; the balances of n.

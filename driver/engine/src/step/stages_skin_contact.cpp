@@ -19,15 +19,16 @@ double surface_density(const membrane::BagModel& bag) {
 }
 
 // Two layers that close at v stop within their limit if half of the mass per area times v^2 / 2 is less than
-// kappa limit^2 / 2; twice that stiffness, to have some to spare.
+// kappa limit^2 / 2; twice that stiffness, to have some to spare. Edges that cross at a corner bear less.
 std::string stiffer(const Scene& scene, const State& state, const coupling::GapError& error) {
   const coupling::SkinContactParameters& p = scene.skin_contact->parameters();
   const bool edges = error.pair().first[1] >= 0;
   const double rate = error.motion() / state.step.before / (edges ? 0.5 * p.thickness : p.thickness);
-  const double factor = std::max(2.0, surface_density(scene.bag->model) * rate * rate / p.stiffness);
+  const double factor = std::max(4.0, surface_density(scene.bag->model) * rate * rate / p.stiffness);
   const double now = scene.skin_contact_share.value_or(p.stiffness);
-  return fmt::format("membrane.self_contact.{} = {:.3g} (now {:.3g})",
-                     scene.skin_contact_share ? "stiffness_share" : "stiffness", factor * now, now);
+  const char* key = scene.skin_contact_share ? "stiffness_share" : "stiffness";
+  return fmt::format("membrane.self_contact.{} = {:.3g}, then {:.3g} (now {:.3g})", key, factor * now,
+                     4.0 * factor * now, now);
 }
 
 // The numbers of the elements that have all these nodes, at most two.
