@@ -14,6 +14,7 @@
 #include "scene/bag_supports.hpp"
 #include "scene/gas_curve.hpp"
 #include "scene/read_fabric.hpp"
+#include "scene/read_fold.hpp"
 #include "scene/read_openings.hpp"
 #include "scene/read_skin_contact.hpp"
 
@@ -161,6 +162,11 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   warn_of_leaks(bag, law, scene);
   table->located("mesh", [&] { warn_of_slivers(source.mesh, scene); });
   Eigen::Matrix3Xd position = initial_shape(*table, source);
+  const auto folding = read_folds(*table, source.mesh, position, bag);
+  if (folding) {
+    position = folding->nodes();
+    for (auto& text : tight_straps(bag.straps, position)) scene.warnings.push_back(std::move(text));
+  }
   const double amplitude = table->at("perturbation").number(Bounds{0.0, 1e-3, false, "0 to 1e-3", "m"}, 0.0);
   if (table->has("perturbation_seed") && !table->has("perturbation"))
     table->fail("perturbation_seed", "needs perturbation");
@@ -168,8 +174,19 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   table->located("", [&] {
     membrane::BagModel model = membrane::make_model(bag);
     std::vector<double> masses = element_masses(model);
-    scene.bag.emplace(BagPart{std::move(source.mesh), std::move(model), std::move(position), law,
-                              std::move(null_elements), overpressure, std::move(masses)});
+    scene.bag.emplace(BagPart{std::move(source.mesh),
+                              std::move(model),
+                              std::move(position),
+                              law,
+                              std::move(null_elements),
+                              overpressure,
+                              std::move(masses),
+                              {},
+                              {}});
+    if (folding) {
+      scene.bag->fold_lines = folding->lines();
+      scene.bag->gathered = folding->gathered();
+    }
   });
   require_before_plates(*table, *scene.bag);
   if (!table->has("flatten")) warn_of_strained_start(scene);
