@@ -180,7 +180,8 @@ def frames():
 
 
 def concepts():
-    output(sys.executable, "docs/make/figures/draw_concepts.py", cwd=ROOT, env={**os.environ, "GASJET": gasjet()})
+    for program in ("draw_concepts", "draw_folds"):
+        output(sys.executable, f"docs/make/figures/{program}.py", cwd=ROOT, env={**os.environ, "GASJET": gasjet()})
 
 
 def examples():

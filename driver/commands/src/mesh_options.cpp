@@ -9,6 +9,45 @@
 
 namespace driver::commands {
 
+namespace {
+
+void add_fold(CLI::App& mesh, MeshArguments& arguments) {
+  auto* fold = mesh.add_subcommand("fold", "fold a bag and report on its strain; write the start shape");
+  FoldArguments& a = arguments.fold;
+  fold->add_option("BAG", arguments.file, std::string("case file (TOML), or mesh file: ") + mesh_endings)
+      ->required();
+  fold->add_flag("--press", a.press, "first lay the two sheets of the bag on each other");
+  auto* letter = fold->add_flag("--letter", a.letter, "lay one flap of each side over the middle");
+  auto* accordion = fold->add_flag("--accordion", a.accordion, "fold panels to and fro");
+  auto* roll = fold->add_flag("--roll", a.roll, "lay the outermost panel over the next one, and so on");
+  letter->excludes(accordion)->excludes(roll);
+  accordion->excludes(roll);
+  fold->add_option("--axis", a.axis, "axis across the fold lines: x, y or z")
+      ->check(CLI::IsMember({"x", "y", "z"}));
+  fold->add_option("--at", a.at, "fold lines along that axis [m], with commas between them")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("POSITIONS");
+  fold->add_option("--gap", a.gap, "least distance between layers [m]")->check(positive);
+  fold->add_option("--easing", a.easing,
+                   "transition between bend and free fabric, in element lengths; default: 2")
+      ->check(not_negative);
+  fold->add_option("--flatten", a.flatten, "flatten a mesh file first: factor of x")->check(positive);
+  fold->add_option("--fixed", a.fixed, "panel of a mesh file that stays; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("PANEL");
+  fold->add_option("--design", a.design, "stress-free shape, if the mesh file is a start shape")
+      ->check(named);
+  fold->add_option("--set", arguments.overrides, "key of the case=value; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("KEY=VALUE");
+  fold->add_option("--out", arguments.out, "start shape, .obj, .stl, or LS-DYNA keyword .k, .key, .dyn")
+      ->required()
+      ->check(named);
+}
+
+}  // namespace
+
 void add_mesh(CLI::App& app, MeshArguments& arguments) {
   auto* mesh = app.add_subcommand("mesh", "generate or convert an airbag mesh and report on it");
   mesh->require_subcommand(1);
@@ -18,6 +57,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   auto* convert =
       mesh->add_subcommand("convert", "read a mesh file and report on it; write it in the format of --out");
   auto* of_case = mesh->add_subcommand("case", "write the mesh that a case runs with");
+  add_fold(*mesh, arguments);
   auto* state = mesh->add_subcommand("state", "write the shape of a run's bag at one time");
   state->add_option("RESULTS", arguments.file, "folder of `gasjet run`")->required();
   state->add_option("--time", arguments.time, "time [s]; the nearest stored shape is used")
@@ -69,6 +109,7 @@ int dispatch_mesh(const CLI::App& mesh, const MeshArguments& arguments) {
   if (mesh.got_subcommand("driver")) return mesh_driver(arguments);
   if (mesh.got_subcommand("case")) return mesh_of_case(arguments);
   if (mesh.got_subcommand("state")) return mesh_of_state(arguments);
+  if (mesh.got_subcommand("fold")) return mesh_fold(arguments);
   return mesh.got_subcommand("passenger") ? mesh_passenger(arguments) : mesh_convert(arguments);
 }
 

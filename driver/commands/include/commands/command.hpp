@@ -82,6 +82,18 @@ struct CostArguments {
 };
 int cost(const CostArguments& arguments);
 
+/// One fold of `gasjet mesh fold`, as [[membrane.fold]] has it.
+struct FoldArguments {
+  bool press = false, letter = false, accordion = false, roll = false;
+  std::string axis;                // x, y or z
+  std::vector<double> at;          // [m] fold lines
+  double gap = 0.0;                // [m] least distance between layers
+  std::optional<double> easing;    // element lengths
+  std::optional<double> flatten;   // factor of x, for a mesh file
+  std::vector<std::string> fixed;  // panels that stay, for a mesh file
+  std::filesystem::path design;    // stress-free shape of a mesh file, or empty
+};
+
 struct MeshArguments {
   std::filesystem::path file;                    // file to convert, or a case, or the results of a run
   double time = 0.0;                             // time in those results [s]
@@ -94,12 +106,14 @@ struct MeshArguments {
   std::filesystem::path initial;                 // initial shape, or empty
   std::vector<std::string> overrides;            // generator option, or key of the case = value
   int refine = 0;                                // number of refinements
+  FoldArguments fold;
 };
 int mesh_driver(const MeshArguments& arguments);
 int mesh_passenger(const MeshArguments& arguments);
 int mesh_convert(const MeshArguments& arguments);
 int mesh_of_case(const MeshArguments& arguments);
 int mesh_of_state(const MeshArguments& arguments);
+int mesh_fold(const MeshArguments& arguments);
 
 struct ExactArguments {
   std::string name;
