@@ -113,7 +113,7 @@ TEST(skin_checks, refuse_layers_that_cross_at_the_start_if_the_skin_touches_itse
     ADD_FAILURE() << "accepted";
   } catch (const driver::CaseError& error) {
     const std::string message = error.what();
-    for (const char* word : {"membrane.self_contact: layers cross at the start, ", " without a common node",
+    for (const char* word : {"membrane.self_contact: layers cross at the start, ", " that are no neighbours",
                              "the first near [", "elements ", " (from 0)", "counted twice or inside out"})
       EXPECT_NE(message.find(word), std::string::npos) << message;
   }
@@ -127,7 +127,7 @@ TEST(skin_checks, warn_of_any_layers_that_cross_in_spite_of_contact) {
   check.crossing.layers = 2;
   EXPECT_EQ(driver::note_of_crossing({check}), "");
   const std::string note = driver::note_of_crossing({check}, true);
-  EXPECT_NE(note.find("at 0.01 s 5 elements cross in 3 pairs, 2 of these pairs without a common node"),
+  EXPECT_NE(note.find("at 0.01 s 5 elements cross in 3 pairs, 2 of these pairs of elements that are no neighbours"),
             std::string::npos)
       << note;
 }

@@ -50,8 +50,8 @@ std::string note_of_crossing(const std::vector<SkinCheck>& checks, bool self_con
     const auto most = std::ranges::max_element(checks, {}, layers);
     if (most != checks.end() && layers(*most) > 0)
       return fmt::format(
-          "membrane.self_contact: layers cross all the same: at {:.3g} s {}, {} of these pairs without a "
-          "common node. Please report this case",
+          "membrane.self_contact: layers cross all the same: at {:.3g} s {}, {} of these pairs of "
+          "elements that are no neighbours. Please report this case",
           most->time, text_of(most->crossing, most->volume), most->crossing.layers);
   }
   const auto share = [](const SkinCheck& check) {
@@ -99,7 +99,7 @@ std::string crossed_layers(const Scene& scene) {
   const Eigen::Vector3d x = 0.5 * (centre(first) + centre(second));
   const double volume = scene.gas ? mesh::enclosed_volume(position, elements) : 0.0;
   return fmt::format(
-      "layers cross at the start, {} pairs of elements without a common node, the first near [{:.3g}, "
+      "layers cross at the start, {} pairs of elements that are no neighbours, the first near [{:.3g}, "
       "{:.3g}, "
       "{:.3g}] m, elements {} and {}{}; in all {}",
       crossing.layers, x.x(), x.y(), x.z(), name(first), name(second),

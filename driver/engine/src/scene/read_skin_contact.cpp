@@ -16,8 +16,9 @@
 namespace driver {
 namespace {
 
-// Share of the fabric's own omega^2 that the contact adds by default, at most.
-constexpr double default_skin_share = 1.0;
+// Share of the fabric's own omega^2 that the contact adds where both sides touch, by default. Nodes of an undamped
+// skin meet at 50 m/s and more; with a tenth of it layers of 2 mm do not stop them.
+constexpr double default_skin_share = 10.0;
 
 // Null panels close the volume; there is no fabric that could touch.
 Eigen::Matrix3Xi fabric_elements(const BagPart& bag) {

@@ -23,7 +23,7 @@ double surface_density(const membrane::BagModel& bag) {
 std::string stiffer(const Scene& scene, const State& state, const coupling::GapError& error) {
   const coupling::SkinContactParameters& p = scene.skin_contact->parameters();
   const bool edges = error.pair().first[1] >= 0;
-  const double rate = error.motion() / state.step.before / (edges ? 0.5 * p.thickness : p.thickness);
+  const double rate = error.motion() / state.step.before / (edges ? 0.8 * p.thickness : p.thickness);
   const double factor = std::max(4.0, surface_density(scene.bag->model) * rate * rate / p.stiffness);
   const double now = scene.skin_contact_share.value_or(p.stiffness);
   const char* key = scene.skin_contact_share ? "stiffness_share" : "stiffness";

@@ -66,7 +66,7 @@ std::string cause_of_short_step(const Scene& scene, const State& state) {
   const StepSizes& step = state.step;
   if (step.after * 1.01 >= approach_limit(scene, state))
     return fmt::format(
-        " for layers of the skin, which close by {:.3g} m in a step (K.47); a larger "
+        " for layers of the skin, which close by {:.3g} of the thickness in a step (K.47); a larger "
         "membrane.self_contact.thickness allows longer steps",
         state.skin_contact.approach * step.after / step.before);
   if (step.after * 1.01 < std::min(step.steady, scene.time.safety * step.drift_limit))
@@ -83,8 +83,7 @@ std::string cause_of_short_step(const Scene& scene, const State& state) {
 double approach_limit(const Scene& scene, const State& state) {
   if (!scene.skin_contact || !(state.skin_contact.approach > 0.0) || !(state.step.before > 0.0))
     return std::numeric_limits<double>::infinity();
-  return kLargestApproach * scene.skin_contact->parameters().thickness * state.step.before /
-         state.skin_contact.approach;
+  return kLargestApproach * state.step.before / state.skin_contact.approach;
 }
 
 void refuse_step(const Scene& scene, const State& state, double given) {

@@ -7,7 +7,7 @@
 namespace driver {
 
 /// Largest share of the thickness by which layers of the skin close in a step (K.47).
-inline constexpr double kLargestApproach = 0.3;
+inline constexpr double kLargestApproach = 0.2;
 /// Step [s] in which they close by that share, at the speed of the last step; infinite if none does.
 double approach_limit(const Scene& scene, const State& state);
 

@@ -47,7 +47,7 @@ LayerVolumes layer_volumes(const NodesView& nodes, const TrianglesView& triangle
 struct Crossing {
   std::size_t pairs = 0;     // pairs of elements that cross
   std::size_t elements = 0;  // elements in them
-  std::size_t layers = 0;    // pairs of fabric without a common node: contact of the skin keeps them apart
+  std::size_t layers = 0;    // pairs of fabric that are no neighbours: contact of the skin keeps them apart
   std::pair<int, int> first_layers{-1, -1};  // first of these pairs
   LayerVolumes volumes{};                    // zero if no elements cross
   /// [m3] Counted twice or inside out.

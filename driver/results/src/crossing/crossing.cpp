@@ -4,14 +4,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace driver {
 namespace {
 
-bool share_a_node(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
-  return (a.array() == b[0] || a.array() == b[1] || a.array() == b[2]).any();
-}
+/// Nodes that an edge joins, as contact of the skin has them.
+class Neighbours {
+ public:
+  explicit Neighbours(const TrianglesView& triangles) {
+    for (Eigen::Index e = 0; e < triangles.cols(); ++e)
+      for (const int a : triangles.col(e))
+        for (const int b : triangles.col(e)) joined_.emplace_back(a, b);
+    std::ranges::sort(joined_);
+  }
+  /// True if a node of one element is one of the other, or joined to it.
+  bool are(const Eigen::Vector3i& first, const Eigen::Vector3i& second) const {
+    return std::ranges::any_of(first, [&](int a) {
+      return std::ranges::any_of(second,
+                                 [&](int b) { return std::ranges::binary_search(joined_, std::pair(a, b)); });
+    });
+  }
+
+ private:
+  std::vector<std::pair<int, int>> joined_;  // ascending
+};
 
 }  // namespace
 
@@ -21,10 +39,11 @@ Crossing find_crossing(const NodesView& nodes, const TrianglesView& triangles, b
   Crossing crossing{.pairs = pairs.size()};
   if (pairs.empty()) return crossing;
   std::vector<char> crosses(static_cast<std::size_t>(triangles.cols()));
+  const Neighbours neighbours(triangles);
   const auto is_fabric = [&](int e) { return !std::ranges::binary_search(null_elements, e); };
   for (const auto& [first, second] : pairs) {
     crosses[static_cast<std::size_t>(first)] = crosses[static_cast<std::size_t>(second)] = 1;
-    if (share_a_node(triangles.col(first), triangles.col(second))) continue;
+    if (neighbours.are(triangles.col(first), triangles.col(second))) continue;
     if (!is_fabric(first) || !is_fabric(second)) continue;
     if (crossing.layers++ == 0) crossing.first_layers = {first, second};
   }
