@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace coupling::detail {
 namespace {
@@ -49,16 +50,15 @@ void SkinForces::push(const int (&node)[4], int corners, const double* weight, c
   }
 }
 
-// An inner edge or, if both are one, an inner node of a layer that a node is near.
-void SkinForces::add_feature(int node, int first, int second, double count, double limit) {
+// The same between a node and an edge or, if both are one, another node.
+void SkinForces::push(int node, int first, int second, double stiffness, double limit) {
   const Vector3d x = nodes_.col(node), a = nodes_.col(first), b = nodes_.col(second);
   const double t = first == second ? 0.0 : closest_on_segment(x, a, b);
   const Vector3d apart = (x - a) - t * (b - a);
   const double distance = apart.norm();
   if (!(distance < limit)) return;
   const double weight[] = {1.0, t - 1.0, -t};
-  push({node, first, second, -1}, first == second ? 2 : 3, weight, apart / distance,
-       count * parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)], limit,
+  push({node, first, second, -1}, first == second ? 2 : 3, weight, apart / distance, stiffness, limit,
        distance);
 }
 
@@ -81,24 +81,39 @@ void SkinForces::add_node(const Touch& touch) {
     const int edge = parts_.triangle_edges(k, triangle), corner = corners.node[k + 1];
     if (parts_.edge_owner[static_cast<std::size_t>(edge)] == triangle)
       if (const int count = parts_.count_of_edge(edge, node); count != 0)
-        add_feature(node, corners.node[(k + 1) % 3 + 1], corners.node[(k + 2) % 3 + 1], count, limit);
+        push(node, corners.node[(k + 1) % 3 + 1], corners.node[(k + 2) % 3 + 1], count * stiffness, limit);
     if (parts_.node_owner[static_cast<std::size_t>(corner)] == triangle)
       if (const int count = parts_.count_of_node(corner, node); count != 0)
-        add_feature(node, corner, corner, count, limit);
+        push(node, corner, corner, count * stiffness, limit);
   }
 }
 
+// Edges touch by how much closer they are than their ends, which touch as nodes do. So parallel edges do not,
+// whose closest points are not unique.
 void SkinForces::add_edges(const Touch& touch) {
   const auto [first, second, edges] = touch.pair;
   const Closest& closest = touch.closest;
   const double limit = std::min(memory_.edge_limits[first], memory_.edge_limits[second]);
   if (!(closest.distance < limit)) return;
   const Corners corners = corners_of(parts_, touch.pair);
+  const auto& n = corners.node;
+  const int ends[4][3] = {{n[0], n[2], n[3]}, {n[1], n[2], n[3]}, {n[2], n[0], n[1]}, {n[3], n[0], n[1]}};
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 4; ++k) {
+    const Vector3d x = nodes_.col(ends[k][0]), a = nodes_.col(ends[k][1]), b = nodes_.col(ends[k][2]);
+    const double t = closest_on_segment(x, a, b);
+    const double squared = (x - a - t * (b - a)).squaredNorm();
+    if (!(squared < least)) continue;
+    least = squared;
+    nearest = k;
+  }
   note(touch);
   const double stiffness =
       parts_.parameters.stiffness * (parts_.edge_weight[static_cast<std::size_t>(first)] +
                                      parts_.edge_weight[static_cast<std::size_t>(second)]);
-  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance);
+  push(n, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance);
+  push(ends[nearest][0], ends[nearest][1], ends[nearest][2], -stiffness, limit);
 }
 
 void SkinForces::add() {

@@ -51,7 +51,7 @@ class SkinForces {
  private:
   void add_node(const Touch& touch);
   void add_edges(const Touch& touch);
-  void add_feature(int node, int first, int second, double count, double limit);
+  void push(int node, int first, int second, double stiffness, double limit);
   void push(const int (&node)[4], int corners, const double* weight, const Eigen::Vector3d& normal,
             double stiffness, double limit, double distance);
   void note(const Touch& touch);

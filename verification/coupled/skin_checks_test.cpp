@@ -107,7 +107,7 @@ TEST(skin_checks, refuse_layers_that_cross_at_the_start_if_the_skin_touches_itse
                                 {"membrane.self_contact.thickness=1e-3"});
   driver::Scene scene = driver::load_scene(document);
   EXPECT_NO_THROW(driver::require_separate_layers(document, scene));
-  push_through(scene, 0.1 * scene.bag->initial_position.rowwise().maxCoeff()(0));
+  push_through(scene, 0.5 * scene.bag->initial_position.rowwise().maxCoeff()(0));
   try {
     driver::require_separate_layers(document, scene);
     ADD_FAILURE() << "accepted";
