@@ -11,6 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Layers closer than half of their limit are that much stiffer in addition.
+constexpr double kDeep = 20.0;
+
 }  // namespace
 
 void Limits::set_from_least() {
@@ -38,15 +41,16 @@ SkinMemory::SkinMemory(const SkinParts& parts)
 // (K.44).
 void SkinForces::push(const int (&node)[4], int corners, const double* weight, const Vector3d& normal,
                       double stiffness, double limit, double distance) {
-  const double depth = limit - distance;
-  result_.energy += 0.5 * stiffness * depth * depth;
-  const Vector3d force = stiffness * depth * normal;
+  const double depth = limit - distance, deep = std::max(0.0, depth - 0.5 * limit);
+  result_.energy += 0.5 * stiffness * (depth * depth + kDeep * deep * deep);
+  const Vector3d force = stiffness * (depth + kDeep * deep) * normal;
+  const double steepness = 2.0 * stiffness * (deep > 0.0 ? 1.0 + kDeep : 1.0);
   for (int k = 0; k < corners; ++k) {
     if (weight[k] == 0.0) continue;
     forces_.col(node[k]) += weight[k] * force;
     double& sum = memory_.stiffness[static_cast<std::size_t>(node[k])];
     if (sum == 0.0) memory_.loaded.push_back(node[k]);
-    sum += 2.0 * stiffness * std::abs(weight[k]);  // the weights of each part sum to 1
+    sum += steepness * std::abs(weight[k]);  // the weights of each part sum to 1
   }
 }
 

@@ -71,7 +71,11 @@ void skin_contact(const Scene& scene, State& state) {
 double skin_contact_stiffness(const Scene& scene, const State& state) {
   const coupling::SkinContactResult& now = state.skin_contact;
   if (!scene.skin_contact || (now.contacts == 0 && !(now.approach > 0.0))) return 0.0;
-  return std::max(now.omega_squared, scene.skin_contact->full_omega_squared());
+  return scene.skin_contact->full_omega_squared();
+}
+
+double deep_contact_stiffness(const Scene& scene, const State& state) {
+  return scene.skin_contact ? std::max(0.0, state.skin_contact.omega_squared - state.step.self_contact) : 0.0;
 }
 
 }  // namespace driver

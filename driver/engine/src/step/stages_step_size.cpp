@@ -63,8 +63,11 @@ double free_step(const Scene& scene, State& state) {
   constexpr double steady_growth = 1.0002;
   StepSizes& step = state.step;
   step.steady = std::min(scene.time.safety * step.critical, steady_growth * step.steady);
-  const double wanted = std::min(step.steady, scene.time.safety * step.drift_limit);
+  double wanted = std::min(step.steady, scene.time.safety * step.drift_limit);
   if (!state.bag) return wanted;
+  // Layers that meet hard are stiff for a few steps only, from which the slow growth would not recover.
+  if (const double deep = deep_contact_stiffness(scene, state); deep > 0.0)
+    wanted = std::min(wanted, scene.time.safety * 2.0 / std::sqrt(step.shares.total() + deep));
   return within_approach(scene, state, within_deformation(scene, state, wanted));
 }
 
