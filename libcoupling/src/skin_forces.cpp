@@ -40,11 +40,11 @@ SkinMemory::SkinMemory(const SkinParts& parts)
 // Adds a repulsion of two points, the weights of which are positive in the first part, along the normal
 // (K.44).
 void SkinForces::push(const int (&node)[4], int corners, const double* weight, const Vector3d& normal,
-                      double stiffness, double limit, double distance) {
+                      double stiffness, double limit, double distance, bool deeper) {
   const double depth = limit - distance, deep = std::max(0.0, depth - 0.5 * limit);
   result_.energy += 0.5 * stiffness * (depth * depth + kDeep * deep * deep);
   const Vector3d force = stiffness * (depth + kDeep * deep) * normal;
-  const double steepness = 2.0 * stiffness * (deep > 0.0 ? 1.0 + kDeep : 1.0);
+  const double steepness = 2.0 * stiffness * (deeper || deep > 0.0 ? 1.0 + kDeep : 1.0);
   for (int k = 0; k < corners; ++k) {
     if (weight[k] == 0.0) continue;
     forces_.col(node[k]) += weight[k] * force;
@@ -55,7 +55,7 @@ void SkinForces::push(const int (&node)[4], int corners, const double* weight, c
 }
 
 // The same between a node and an edge or, if both are one, another node.
-void SkinForces::push(int node, int first, int second, double stiffness, double limit) {
+void SkinForces::push(int node, int first, int second, double stiffness, double limit, bool deeper) {
   const Vector3d x = nodes_.col(node), a = nodes_.col(first), b = nodes_.col(second);
   const double t = first == second ? 0.0 : closest_on_segment(x, a, b);
   const Vector3d apart = (x - a) - t * (b - a);
@@ -63,7 +63,7 @@ void SkinForces::push(int node, int first, int second, double stiffness, double 
   if (!(distance < limit)) return;
   const double weight[] = {1.0, t - 1.0, -t};
   push({node, first, second, -1}, first == second ? 2 : 3, weight, apart / distance, stiffness, limit,
-       distance);
+       distance, deeper);
 }
 
 void SkinForces::note(const Touch& touch) {
@@ -77,20 +77,45 @@ void SkinForces::add_node(const Touch& touch) {
   const Closest& closest = touch.closest;
   const double limit = memory_.node_limits[node];
   if (!(closest.distance < limit)) return;
+  const bool deeper = touch.ahead < 0.5 * limit;  // in the next step
   note(touch);
   const Corners corners = corners_of(parts_, touch.pair);
   const double stiffness = parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)];
-  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance);
+  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance, deeper);
   for (int k = 0; k < 3; ++k) {
     const int edge = parts_.triangle_edges(k, triangle), corner = corners.node[k + 1];
     if (parts_.edge_owner[static_cast<std::size_t>(edge)] == triangle)
       if (const int count = parts_.count_of_edge(edge, node); count != 0)
-        push(node, corners.node[(k + 1) % 3 + 1], corners.node[(k + 2) % 3 + 1], count * stiffness, limit);
+        push(node, corners.node[(k + 1) % 3 + 1], corners.node[(k + 2) % 3 + 1], count * stiffness, limit,
+             deeper);
     if (parts_.node_owner[static_cast<std::size_t>(corner)] == triangle)
       if (const int count = parts_.count_of_node(corner, node); count != 0)
-        push(node, corner, corner, count * stiffness, limit);
+        push(node, corner, corner, count * stiffness, limit, deeper);
   }
 }
+
+namespace {
+
+// Share of two edges with sides u and v in (K.44): it grows with the square of their sine up to `full`, where
+// it is
+// 1. Its derivative by u is slope along_u.
+struct Angle {
+  Angle(const Vector3d& u, const Vector3d& v, double full) {
+    const double lu = u.norm(), lv = v.norm();
+    if (!(lu > 0.0 && lv > 0.0)) return;
+    const Vector3d e = u / lu, f = v / lv;
+    const double cosine = e.dot(f), part = e.cross(f).squaredNorm() / (full * full);
+    if (!(part < 1.0)) return;
+    share = std::max(part * (2.0 - part), 1e-30);
+    slope = 2.0 * (1.0 - part) / (full * full);
+    along_u = -2.0 * cosine / lu * (f - cosine * e);
+    along_v = -2.0 * cosine / lv * (e - cosine * f);
+  }
+  double share = 1.0, slope = 0.0;
+  Vector3d along_u, along_v;
+};
+
+}  // namespace
 
 // Edges touch by how much closer they are than their ends, which touch as nodes do. So parallel edges do not,
 // whose closest points are not unique.
@@ -112,12 +137,25 @@ void SkinForces::add_edges(const Touch& touch) {
     least = squared;
     nearest = k;
   }
+  const bool deeper = touch.ahead < 0.5 * limit;  // in the next step
   note(touch);
+  const Vector3d u = nodes_.col(n[1]) - nodes_.col(n[0]), v = nodes_.col(n[3]) - nodes_.col(n[2]);
+  const Angle angle(u, v, std::min(1.0, 2.0 * parts_.parameters.thickness / parts_.mean_edge));
   const double stiffness =
       parts_.parameters.stiffness * (parts_.edge_weight[static_cast<std::size_t>(first)] +
                                      parts_.edge_weight[static_cast<std::size_t>(second)]);
-  push(n, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance);
-  push(ends[nearest][0], ends[nearest][1], ends[nearest][2], -stiffness, limit);
+  const double energy = result_.energy;
+  push(n, 4, closest.weight.data(), closest.normal, angle.share * stiffness, limit, closest.distance, deeper);
+  push(ends[nearest][0], ends[nearest][1], ends[nearest][2], -angle.share * stiffness, limit, deeper);
+  if (!(angle.slope > 0.0)) return;
+  // The energy grows with the angle, too.
+  const double per_share = (result_.energy - energy) / angle.share;
+  const Vector3d on_u = -per_share * angle.slope * angle.along_u,
+                 on_v = -per_share * angle.slope * angle.along_v;
+  forces_.col(n[1]) += on_u;
+  forces_.col(n[0]) -= on_u;
+  forces_.col(n[3]) += on_v;
+  forces_.col(n[2]) -= on_v;
 }
 
 void SkinForces::add() {

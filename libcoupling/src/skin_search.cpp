@@ -52,7 +52,7 @@ double SkinSearch::look(const PartPair& pair) {
   ++looks_;
   if (!(closest.distance > meet)) throw_gap(*parts_, pair, 0.0);
   if (level_ == 0) {
-    if (closest.distance < reach) touches_.push_back({pair, closest});
+    if (closest.distance < reach) touches_.push_back({pair, closest, closest.distance});
     return closest.distance;
   }
   const Quad y = positions(corners, paths_.before());
@@ -64,7 +64,7 @@ double SkinSearch::look(const PartPair& pair) {
   const double closing = -closest.normal.dot((x - y) * closest.weight);
   // Parts that touch, or would after another such step and a half.
   if (closest.distance - 1.5 * closing < reach) approach_ = std::max(approach_, closing / reach);
-  if (closest.distance < reach) touches_.push_back({pair, closest});
+  if (closest.distance < reach) touches_.push_back({pair, closest, closest.distance - 1.5 * closing});
   return closest.distance;
 }
 

@@ -20,6 +20,7 @@ namespace coupling::detail {
 struct Touch {
   PartPair pair;
   Closest closest;
+  double ahead;  // [m] distance after another step and a half like the last one
 };
 
 /// Two groups that may touch. Lengths [m].

@@ -194,6 +194,8 @@ struct StepSizes {
   long deformation_limited = 0;
   double deformation = 0.0;              // [-] largest change of an element's dF in a given step (M.32)
   int deformed_element = -1;             // that element, or the last one that made a step shorter
+  /// [s] Limit by layers of the skin that touch, which grows slowly (K.47).
+  double touching = std::numeric_limits<double>::infinity();
   long approach_limited = 0;             // number of steps that layers of the skin made shorter (K.47)
   double approach = 0.0;                 // [-] largest share of the thickness closed in a given step (K.47)
   double self_contact = 0.0;             // [1/s2] part of shares.contact: the skin with itself

@@ -49,12 +49,18 @@ double within_deformation(const Scene& scene, State& state, double wanted) {
   return most / fastest.rate;
 }
 
-// `wanted` [s], or a shorter step in which layers of the skin do not close too much (K.47).
-double within_approach(const Scene& scene, State& state, double wanted) {
-  const double limit = approach_limit(scene, state);
-  if (!(limit < wanted)) return wanted;
-  ++state.step.approach_limited;
-  return limit;
+// `wanted` [s], or a shorter step where layers of the skin close much or are close (K.47). They are for a few
+// steps only, from which the slow growth of (M.33) would not recover; this limit grows faster.
+double within_contact(const Scene& scene, State& state, double wanted) {
+  if (!scene.skin_contact) return wanted;
+  constexpr double growth = 1.005;
+  StepSizes& step = state.step;
+  const double stable =
+      scene.time.safety * 2.0 / std::sqrt(step.shares.total() + deep_contact_stiffness(scene, state));
+  step.touching = std::min({stable, approach_limit(scene, state), growth * step.touching});
+  if (!(step.touching < wanted)) return wanted;
+  ++step.approach_limited;
+  return step.touching;
 }
 
 // Step by stability, energy, deformation and layers [s]. The bound jumps as crumpled elements come and go,
@@ -63,12 +69,9 @@ double free_step(const Scene& scene, State& state) {
   constexpr double steady_growth = 1.0002;
   StepSizes& step = state.step;
   step.steady = std::min(scene.time.safety * step.critical, steady_growth * step.steady);
-  double wanted = std::min(step.steady, scene.time.safety * step.drift_limit);
+  const double wanted = std::min(step.steady, scene.time.safety * step.drift_limit);
   if (!state.bag) return wanted;
-  // Layers that meet hard are stiff for a few steps only, from which the slow growth would not recover.
-  if (const double deep = deep_contact_stiffness(scene, state); deep > 0.0)
-    wanted = std::min(wanted, scene.time.safety * 2.0 / std::sqrt(step.shares.total() + deep));
-  return within_approach(scene, state, within_deformation(scene, state, wanted));
+  return within_contact(scene, state, within_deformation(scene, state, wanted));
 }
 
 // A given step is kept. Its worst change of the deformation gradient is reported, and how far layers closed.
