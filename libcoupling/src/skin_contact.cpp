@@ -85,13 +85,13 @@ SkinContactResult SkinContactModel::evaluate(SkinContactState& state, const Node
   run.friction.add(run.search.touches(), *parts_, run.memory.node_limits, run.search.paths().now(),
                    run.search.paths().before(), forces, result);
   // Sticking adds the same stiffness at right angles; a sliding force follows the depth.
-  result.omega_squared *= std::hypot(1.0, parameters_.friction);
+  result.omega_squared *= std::sqrt(1.0 + parameters_.friction * parameters_.friction);
   result.approach = run.search.approach();
   return result;
 }
 
 double SkinContactModel::full_omega_squared() const {
-  return parts_->full_omega_squared * std::hypot(1.0, parameters_.friction);
+  return parts_->full_omega_squared * std::sqrt(1.0 + parameters_.friction * parameters_.friction);
 }
 
 double default_skin_stiffness(double share, double other_omega_squared, double surface_density) {

@@ -66,6 +66,7 @@ struct SkinContactResult {
 /// Layers met: a gap reached 0. A stiffer contact or a shorter step prevents that.
 class GapError : public ContactError {
  public:
+  /// `motion` [m]: see motion().
   GapError(const std::string& message, const SkinPair& pair, double motion)
       : ContactError(message), pair_(pair), motion_(motion) {}
   const SkinPair& pair() const { return pair_; }  // the parts that met
@@ -80,11 +81,11 @@ class GapError : public ContactError {
 /// positions, the limits of nodes and edges and the stretch of friction; the rest saves work.
 class SkinContactState {
  public:
-  SkinContactState(const SkinContactState& other);
-  SkinContactState(SkinContactState&& other) noexcept;
-  SkinContactState& operator=(const SkinContactState& other);
-  SkinContactState& operator=(SkinContactState&& other) noexcept;
-  ~SkinContactState();
+  SkinContactState(const SkinContactState& other);                 // copies go on by themselves
+  SkinContactState(SkinContactState&& other) noexcept;             // leaves `other` without a run
+  SkinContactState& operator=(const SkinContactState& other);      // likewise a copy
+  SkinContactState& operator=(SkinContactState&& other) noexcept;  // likewise a move
+  ~SkinContactState();                                             // ends the run
 
   int limited_nodes() const;      // nodes whose limit is below h
   double smallest_limit() const;  // [m] of a node
@@ -101,7 +102,7 @@ class SkinContactState {
 class SkinContactModel {
  public:
   /// `triangles` (3 x M) are the skin's elements, `reference` (3 x N) [m] its stress-free shape, `masses` (N)
-  /// [kg] are lumped. Elements that share a node are neighbours.
+  /// [kg] are lumped.
   ///
   /// Throws std::invalid_argument for values out of range, node numbers that do not exist, elements without
   /// area, and a thickness above the smallest altitude of an element.
@@ -122,7 +123,7 @@ class SkinContactModel {
 
   /// Bound [1/s2] with both sides of the whole skin in contact (K.46).
   double full_omega_squared() const;
-  const SkinContactParameters& parameters() const { return parameters_; }
+  const SkinContactParameters& parameters() const { return parameters_; }  // the parameters as given
 
  private:
   SkinContactParameters parameters_;

@@ -53,7 +53,7 @@ double within_deformation(const Scene& scene, State& state, double wanted) {
 // steps only, from which the slow growth of (M.33) would not recover; this limit grows faster.
 double within_contact(const Scene& scene, State& state, double wanted) {
   if (!scene.skin_contact) return wanted;
-  constexpr double growth = 1.005;
+  constexpr double growth = 1.02;
   StepSizes& step = state.step;
   const double stable =
       scene.time.safety * 2.0 / std::sqrt(step.shares.total() + deep_contact_stiffness(scene, state));
