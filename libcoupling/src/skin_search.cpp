@@ -12,6 +12,8 @@ constexpr double kMeet = 1e-9;  // share of the thickness: closer parts have met
 // Shares of the mean edge: parts farther apart than this are not looked at, at a mark and later. A far look
 // lasts longer and costs more.
 constexpr double kFar = 1.2, kNear = 0.6;
+// Steps like the last one that are looked ahead.
+constexpr double kAhead = 1.5;
 
 }  // namespace
 
@@ -36,11 +38,12 @@ void SkinSearch::mark() {
 
 bool SkinSearch::must_look(GroupPair& pair) {
   if (every_pair_ || pair.slack < 0.0) return true;
-  if (motion_.since_mark(pair.first, pair.second) < pair.slack) return false;
+  const double ahead = kAhead * motion_.step(pair.first, pair.second);
+  if (motion_.since_mark(pair.first, pair.second) + ahead < pair.slack) return false;
   if (pair.level != level_ - 1) return true;
   pair.path += motion_.step(pair.first, pair.second);
   pair.level = level_;
-  return !(pair.path < pair.room);
+  return !(pair.path + ahead < pair.room);
 }
 
 // One pair of parts: their distance [m].
@@ -62,19 +65,21 @@ double SkinSearch::look(const PartPair& pair) {
     if (paths_meet(pair.edges, y, x, meet)) throw_gap(*parts_, pair, motion);
   }
   const double closing = -closest.normal.dot((x - y) * closest.weight);
-  // Parts that touch, or would after another such step and a half.
-  if (closest.distance - 1.5 * closing < reach) approach_ = std::max(approach_, closing / reach);
-  if (closest.distance < reach) touches_.push_back({pair, closest, closest.distance - 1.5 * closing});
+  // Parts that touch, or would ahead.
+  if (closest.distance - kAhead * closing < reach) approach_ = std::max(approach_, closing / reach);
+  if (closest.distance < reach) touches_.push_back({pair, closest, closest.distance - kAhead * closing});
   return closest.distance;
 }
 
-// The parts of two groups: a lower bound of their distance, at most the range [m].
+// The parts of two groups, of which those that may touch ahead tell how fast they close: a lower bound of
+// their distance, at most the range [m].
 double SkinSearch::look(const GroupPair& pair, double range) {
+  const double near = parts_->parameters.thickness + kAhead * motion_.step(pair.first, pair.second);
+  range = std::max(range, near);
   if (paths_.whole(*parts_, pair.first).apart(paths_.whole(*parts_, pair.second), range)) return range;
   ++(marking_ ? price_ : spent_);
   const PartSearch::Look look_at = [this](const PartPair& parts) { return look(parts); };
-  // What is within twice the thickness tells how fast it closes.
-  return PartSearch(*parts_, std::min(range, 2.0 * parts_->parameters.thickness), range, look_at)
+  return PartSearch(*parts_, near, range, look_at)
       .search(pair.first, paths_.of(*parts_, pair.first), pair.second, paths_.of(*parts_, pair.second));
 }
 
