@@ -94,6 +94,10 @@ double SkinContactModel::full_omega_squared() const {
   return parts_->full_omega_squared * std::sqrt(1.0 + parameters_.friction * parameters_.friction);
 }
 
+int SkinContactModel::node_count() const {
+  return static_cast<int>(parts_->masses.size());
+}
+
 double default_skin_stiffness(double share, double other_omega_squared, double surface_density) {
   detail::require_positive("self_contact.stiffness_share", share);
   detail::require_positive("self_contact.other_omega_squared", other_omega_squared);

@@ -12,12 +12,13 @@ program bad_calls
   real(c_double) :: here(3) = 0.1d0
   integer(c_int32_t) :: t(3, 4), u(4, 3), wrong(3, 4)
   integer(c_int8_t) :: lit(4)
-  integer(c_int64_t) :: gas, tank, skin, jet, bag, run, table, handles(6), strides(2)
+  integer(c_int64_t) :: gas, tank, skin, jet, bag, layers, run, table, handles(6), strides(2)
   type(gasjet_source) :: source
   type(gasjet_jet_model) :: model
   type(gasjet_fabric_model) :: fabric
   type(gasjet_gas_values) :: values
   type(gasjet_membrane_sums) :: sums
+  type(gasjet_skin_contact_sums) :: touch
   type(gasjet_outlet_state) :: state
   character(512) :: case_file
   integer :: calls = 0, i, k
@@ -28,6 +29,7 @@ program bad_calls
   u = transpose(t)
   bad = [ieee_value(value, ieee_quiet_nan), ieee_value(value, ieee_positive_inf), ieee_value(value, &
       ieee_negative_inf), -1d0]
+  p = 1d0
   call get_command_argument(1, case_file)
   call good(gasjet_gas_create('N2=1'//c_null_char, 0d0, gas))
   call good(gasjet_tank_create(gas, 2d5, 300d0, 0.1d0, 1d5, 1d-8, tank))
@@ -48,6 +50,13 @@ program bad_calls
   fabric = gasjet_fabric_model(4d-4, 800d0, 3d8, 0.3d0, 1, GASJET_SAINT_VENANT_KIRCHHOFF)
   call good(gasjet_membrane_create(x, four, triangles=t, triangle_count=four, fabric=fabric, null_count=none, &
                                    fixed_count=none, membrane=bag))
+  call good(gasjet_skin_contact_create(y, four, [1_c_int64_t, four], t, four, mass=p, thickness=0.1d0, &
+                                       stiffness=1d5, friction=0d0, skin_contact=layers))
+  call good(gasjet_skin_contact_evaluate(layers, x, four, force=vectors, force_count=12_c_int64_t, sums=touch))
+  if (touch%contacts /= 0 .or. any(touch%second_nodes /= -1)) error stop 'neighbours touch'
+  call good(gasjet_skin_contact_restart(layers))
+  call good(gasjet_default_skin_stiffness(0.5d0, 4d8, 0.2d0, value))
+  if (value /= 1d7) error stop 'the default stiffness is not share omega^2 rho h / 4'
   call good(gasjet_gas_create('N2=1'//c_null_char, 0d0, handles(1)))
   call good(gasjet_free(handles(1)))
   handles(2:) = [none, -1_c_int64_t, large, -large, bag]
@@ -67,6 +76,9 @@ program bad_calls
     call refused(gasjet_jet_pressure(jet, x, four, velocity=bad(i), density=1d0, occlusion=1, &
                                      displacement_bound=0d0, overpressure=p, overpressure_count=four, &
                                      force=force), 'velocity')
+    call refused(gasjet_skin_contact_create(x, four, triangles=t, triangle_count=four, mass=p, thickness=bad(i), &
+                                            stiffness=1d5, friction=0d0, skin_contact=run), 'thickness')
+    call refused(gasjet_default_skin_stiffness(0.5d0, bad(i), 0.2d0, value), 'other_frequency')
     call refused(gasjet_outlet(GASJET_EXPANDED, 1d-3, 1d0, 300d0, 1039d0, 297d0, bad(i), state), 'bag_pressure')
     call refused(gasjet_jet_expansion(jet, bad(i), 1d0, 1d0), 'area_ratio')
     call refused(gasjet_jet_expansion(jet, 1d0, bad(i), 1d0), 'reflected')
@@ -76,6 +88,8 @@ program bad_calls
     y(2, 3) = bad(i)
     call refused(gasjet_membrane_evaluate(bag, y, four, [1_c_int64_t, four], 1.4d0, 1d5, vectors, &
                                           vector_count=12_c_int64_t, sums=sums), 'nodes')
+    call refused(gasjet_skin_contact_evaluate(layers, y, four, [1_c_int64_t, four], vectors, 12_c_int64_t, touch), &
+                 'nodes')
     call refused(gasjet_jet_pressure(jet, y, four, [1_c_int64_t, four], 1d0, 1d0, 1, 0d0, p, four, force), 'nodes')
     source%centre(3) = bad(i)
     call refused(gasjet_surface_visible(skin, x, four, source=source, candidate_count=none, &
@@ -98,6 +112,8 @@ program bad_calls
       call refused(gasjet_membrane_evaluate(bag, x, four, gamma=1.4d0, pressure=1d5, force=vectors, &
                                             vector_count=counts(i), sums=sums), 'force')
       call refused(gasjet_membrane_masses(bag, p, counts(i)), 'mass')
+      call refused(gasjet_skin_contact_evaluate(layers, x, counts(i), force=vectors, force_count=12_c_int64_t, &
+                                                sums=touch), 'nodes')
     end if
     if (counts(i) > 0 .and. counts(i) < large) cycle
     call refused(gasjet_surface_create(t, counts(i), node_count=four, null_count=none, attachment_count=none, &
@@ -128,6 +144,7 @@ program bad_calls
   do i = 1, size(handles)
     call refused(gasjet_gas_evaluate(handles(i), 300d0, values), 'gas')
     call refused(gasjet_tank_advance(handles(i), 1d0, 1d0), 'tank')
+    call refused(gasjet_skin_contact_restart(handles(i)), 'skin_contact')
     call refused(gasjet_surface_visible(handles(i), x, four, source=source, candidate_count=none, &
                                         displacement_bound=0d0, lit=lit, lit_count=four), 'surface')
     call refused(gasjet_jet_pressure(handles(i), x, four, velocity=1d0, density=1d0, occlusion=1, &

@@ -133,11 +133,18 @@ class BadCalls(unittest.TestCase):
                   young_modulus=NUMBERS, poisson=NUMBERS, law=[None, 0, "steel"], wrinkles=FLAGS, fixed_nodes=INDICES)
         bag = gasjet.Membrane(**fabric)
         self.each(bag.evaluate, dict(nodes=NODES, gamma=1.4, pressure=1e5), nodes=POINTS, gamma=NUMBERS, pressure=NUMBERS)
+        masses = [None, "x", [1.0], np.ones((4, 1)), [1.0, 1.0, 1.0, NAN], [1.0, 1.0, 1.0, -1.0]]
         skin = dict(reference=NODES, triangles=TRIANGLES, masses=np.ones(4), effective_mass=1.0, radius=0.1, stiffness=1e5, friction=0.1)
-        self.each(gasjet.Contact, skin, triangles=TRIANGLE_LISTS, masses=[None, "x", [1.0], np.ones((4, 1)), [1.0, 1.0, 1.0, NAN], [1.0, 1.0, 1.0, -1.0]],
+        self.each(gasjet.Contact, skin, triangles=TRIANGLE_LISTS, masses=masses,
                   effective_mass=NUMBERS, radius=NUMBERS, stiffness=NUMBERS, friction=NUMBERS)
         pad = gasjet.Contact(**skin)
         self.each(pad.evaluate, dict(nodes=NODES, centre=(0.0, 0.0, -5.0), turn=(0.0, 0.0, 0.0)), nodes=POINTS, centre=VECTORS, turn=VECTORS)
+        layers = dict(reference=NODES, triangles=TRIANGLES, masses=np.ones(4), thickness=0.1, stiffness=1e5, friction=0.1)
+        self.each(gasjet.SkinContact, layers, reference=[value for value in POINTS[3:] if getattr(value, "size", 1) > 0], triangles=TRIANGLE_LISTS,
+                  masses=masses, thickness=NUMBERS + [0.0, -0.1, 0.8], stiffness=NUMBERS + [0.0, -1.0], friction=NUMBERS + [-0.1])
+        self.each(gasjet.SkinContact(**layers).evaluate, dict(nodes=NODES), nodes=POINTS)
+        share = dict(share=0.5, other_frequency=1e8, surface_density=0.3)
+        self.each(gasjet.SkinContact.default_stiffness, share, **{argument: NUMBERS + [0.0, -1.0] for argument in share})
         rod = dict(pivot=CENTRE, axis=AXIS, rest_direction=(0.0, 0.0, -1.0), mass=1.0, inertia_cg=1.0, cg_distance=1.0,
                    impactor_distance=1.0, impactor_radius=0.1, gravity=(0.0, 0.0, -9.8), angle=0.1, angular_velocity=0.1)
         self.each(gasjet.Pendulum, rod, **{name: VECTORS if np.ndim(value) else NUMBERS for name, value in rod.items()})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pendulum, contact, fabric law and expanded jet of the Python package against closed forms, and a mesh of meshio."""
+"""Pendulum, contacts, fabric law and expanded jet of the Python package against closed forms, and a mesh of meshio."""
 import os
 import unittest
 
@@ -90,6 +90,86 @@ class Contacts(unittest.TestCase):
             gasjet.Contact(self.nodes, self.triangles, masses=self.masses[1:], effective_mass=3.0, radius=0.1, stiffness=1e6)
         with self.assertRaisesRegex(gasjet.InputError, "stiffness"):
             gasjet.Contact(self.nodes, self.triangles, masses=self.masses, effective_mass=3.0, radius=0.1, stiffness=-1.0)
+
+
+class SkinContacts(unittest.TestCase):
+    """Two plates, the upper one with other squares."""
+
+    THICKNESS, STIFFNESS, AREA = 0.01, 1e7, 0.3**2
+
+    def setUp(self):
+        (lower, below), (upper, above) = square(0.3, 6), square(0.3, 5)
+        self.upper = slice(len(lower), None)
+        self.nodes = np.concatenate([lower, upper])
+        self.triangles = np.concatenate([below, len(lower) + above])
+
+    def layers(self, friction=0.0):
+        self.nodes[self.upper, 2] = 3 * self.THICKNESS
+        return gasjet.SkinContact(self.nodes, self.triangles, masses=np.full(len(self.nodes), 1e-3), thickness=self.THICKNESS,
+                                  stiffness=self.STIFFNESS, friction=friction)
+
+    def at(self, gap):
+        """Positions with that gap, in thicknesses."""
+        nodes = self.nodes.copy()
+        nodes[self.upper, 2] = gap * self.THICKNESS
+        return nodes
+
+    def test_pressure_is_the_stiffness_times_the_depth(self):
+        layers = self.layers()
+        free = layers.evaluate(self.nodes)
+        self.assertEqual((free["contacts"], free["gap_m"], free["first_nodes"], free["second_nodes"], abs(free["node_force_N"]).max()),
+                         (0, np.inf, (), (), 0.0))
+        touch = layers.evaluate(self.at(0.9))
+        pressure = self.STIFFNESS * 0.1 * self.THICKNESS
+        self.assertAlmostEqual(touch["node_force_N"][self.upper, 2].sum() / (pressure * self.AREA), 1.0, 12)
+        self.assertAlmostEqual(touch["energy_J"] / (0.5 * pressure**2 / self.STIFFNESS * self.AREA), 1.0, 11)
+        np.testing.assert_allclose(touch["node_force_N"].sum(0), 0.0, atol=1e-11)
+        self.assertAlmostEqual(touch["gap_m"], 0.9 * self.THICKNESS, 15)
+        self.assertEqual((len(touch["first_nodes"]), len(touch["second_nodes"])), (1, 3))
+        self.assertAlmostEqual(touch["approach"], 2.1 / 0.8, 12)  # 2.1 thicknesses nearer; the reach of edges is 0.8 of one
+        self.assertGreater(touch["contacts"], 0)
+
+    def test_bound_is_met_by_the_default_stiffness(self):
+        self.assertEqual(gasjet.SkinContact.default_stiffness(0.5, 4e8, 0.2), 0.5 * 4e8 * 0.2 / 4)
+
+    def test_layers_that_start_close_start_at_rest_and_a_restart_is_such_a_start(self):
+        layers = self.layers()
+        layers.evaluate(self.nodes)
+        pressed = layers.evaluate(self.at(0.6))
+        self.assertEqual(pressed["limited_nodes"], 0)
+        layers.restart()
+        rest = layers.evaluate(self.at(0.6))
+        self.assertEqual((rest["energy_J"], rest["limited_nodes"], abs(rest["node_force_N"]).max()), (0.0, len(self.nodes), 0.0))
+
+    def test_layouts_give_the_same_bits(self):
+        results = []
+        for layout in (np.array, np.asfortranarray, lambda x: np.pad(x, ((0, 0), (0, 1)))[:, :3], lambda x: x[::-1].copy()[::-1]):
+            layers = self.layers(friction=0.3)
+            layers.evaluate(layout(self.nodes))
+            pressed = self.at(0.7)
+            pressed[self.upper] += (0.003, 0.002, 0.0)
+            layers.evaluate(layout(self.at(0.75)))
+            results.append(layers.evaluate(layout(pressed)))
+        self.assertGreater(abs(results[0]["node_force_N"][:, 0]).max(), 1.0)  # friction
+        for result in results[1:]:
+            np.testing.assert_array_equal(result.pop("node_force_N"), results[0]["node_force_N"])
+            self.assertEqual(result, {name: value for name, value in results[0].items() if name != "node_force_N"})
+
+    def test_layers_that_meet_are_refused_until_a_restart(self):
+        layers = self.layers()
+        layers.evaluate(self.nodes)
+        with self.assertRaisesRegex(gasjet.DomainError, "nodes?.*"):
+            layers.evaluate(self.at(-3.0))
+        with self.assertRaisesRegex(gasjet.InputError, "^skin_contact: failed at the last call"):
+            layers.evaluate(self.nodes)
+        layers.restart()
+        self.assertEqual(layers.evaluate(self.at(-3.0))["contacts"], 0)
+
+    def test_refusals_name_the_argument(self):
+        with self.assertRaisesRegex(gasjet.InputError, "thickness = 0.2 m: must be at most"):
+            gasjet.SkinContact(self.nodes, self.triangles, masses=np.ones(len(self.nodes)), thickness=0.2, stiffness=1.0)
+        with self.assertRaisesRegex(ValueError, "nodes"):
+            self.layers().evaluate(self.nodes[1:])
 
 
 class Fabrics(unittest.TestCase):

@@ -94,6 +94,26 @@ static void membrane_and_contact(void) {
   check(gasjet_free(contact), GASJET_OK);
 }
 
+static void skin_contact(void) {
+  gasjet_handle contact, none;
+  gasjet_skin_contact_sums touch;
+  double mass[] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, force[18] = {0.0};
+  double layers[] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+                     0.0, 0.0, 0.2, 1.0, 0.0, 0.2, 0.0, 1.0, 0.2};
+  const int32_t two[] = {0, 1, 2, 3, 4, 5};
+  check(gasjet_skin_contact_create(layers, 6, NULL, two, 2, NULL, mass, 0.1, 1e5, 0.1, &contact), GASJET_OK);
+  check(gasjet_skin_contact_create(layers, 6, NULL, two, 2, NULL, mass, 0.9, 1e5, 0.1, &none),
+        GASJET_BAD_INPUT);
+  for (int level = 0; level < 3; ++level) {
+    for (int i = 11; i < 18; i += 3) layers[i] = 0.2 - 0.15 * level;
+    check(gasjet_skin_contact_evaluate(contact, layers, 6, NULL, force, 18, &touch),
+          level < 2 ? GASJET_OK : GASJET_DOMAIN);
+  }
+  check(gasjet_skin_contact_restart(contact), GASJET_OK);
+  check(gasjet_skin_contact_evaluate(contact, layers, 6, NULL, force, 18, &touch), GASJET_OK);
+  check(gasjet_free(contact), GASJET_OK);
+}
+
 static void run_and_closed_form(const char* file) {
   gasjet_handle run, table;
   const double* values;
@@ -113,6 +133,7 @@ int main(int count, char** arguments) {
   gas_and_tank();
   jet_and_surface();
   membrane_and_contact();
+  skin_contact();
   run_and_closed_form(arguments[1]);
   puts("an object of every kind was made and freed");
 }

@@ -27,6 +27,7 @@ def objects():
         "surface": gasjet.Surface(TRIANGLES, 4), "jet": gasjet.Jet(CENTRE, AXIS, decay_coefficient=0.08, radius=0.03),
         "membrane": gasjet.Membrane(NODES, TRIANGLES, **fabric),
         "contact": gasjet.Contact(NODES, TRIANGLES, masses=np.ones(4), effective_mass=1.0, radius=0.1, stiffness=1e5),
+        "skin_contact": gasjet.SkinContact(NODES, TRIANGLES, masses=np.ones(4), thickness=0.1, stiffness=1e5),
         "pendulum": gasjet.Pendulum(CENTRE, AXIS, (0.0, 0.0, -1.0), mass=1.0, inertia_cg=1.0, cg_distance=1.0, impactor_distance=1.0,
                                     impactor_radius=0.1, angle=0.25),
         "run": gasjet.run(TANK),
@@ -108,6 +109,7 @@ class Objects(unittest.TestCase):
                 "gas": "<gasjet.Gas N2=0.78, O2=0.22>", "ideal": "gas constant 297 .*cp 1039 ", "tank": "at 0.5 s: 0.1 m3, 200000 Pa, 300 K",
                 "surface": "4 elements, 4 nodes", "jet": r"round, radius 0.03 m, at \(0.1, 0.1, 0.1\) m along \(1, 0, 0\)",
                 "membrane": "4 elements, 4 nodes, saint_venant_kirchhoff, with wrinkles", "contact": "radius 0.1 m, 100000 N/m3, .*4 elements",
+                "skin_contact": "thickness 0.1 m, 100000 N/m3, .*4 elements",
                 "pendulum": "at 0.25 rad, 0 rad/s", "run": "tank_blowdown: done, 351 rows>"}.items():
             self.assertRegex(repr(made[name]), words)
         slot = gasjet.Jet(CENTRE, AXIS, decay_coefficient=0.1, short_side=0.01, long_side=0.2, long_direction=(0.0, 1.0, 0.0))

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gasjet/coupling.h>
 
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "coupling/pendulum.hpp"
+#include "coupling/skin_contact.hpp"
 #include "coupling/sphere_contact.hpp"
 
 using namespace border;
@@ -33,6 +36,18 @@ struct Contact : Object {
 
   coupling::ContactModel model;
   coupling::ContactState state;
+};
+
+struct SkinContact : Object {
+  SkinContact(const Eigen::Matrix3Xi& triangles, const Points& reference, std::span<const double> masses,
+              const coupling::SkinContactParameters& parameters)
+      : model(triangles, reference.view(), masses, parameters), state(model.make_state()) {}
+  static constexpr const char* name = "a contact of a skin with itself";
+  static constexpr bool shared = false;
+
+  coupling::SkinContactModel model;
+  coupling::SkinContactState state;
+  bool spoiled = false;  // an evaluation threw, so the state is of no level
 };
 
 }  // namespace
@@ -118,5 +133,66 @@ int gasjet_contact_evaluate(gasjet_handle contact, const double nodes[], int64_t
     sums->penetration = result.penetration;
     sums->frequency = result.omega_squared();
     sums->deepest_element = result.deepest_element;
+  });
+}
+
+int gasjet_skin_contact_create(const double reference[], int64_t node_count, const int64_t reference_stride[],
+                               const int32_t triangles[], int64_t triangle_count,
+                               const int64_t triangle_stride[], const double mass[], double thickness,
+                               double stiffness, double friction, gasjet_handle* skin_contact) {
+  return call([&] {
+    needed(skin_contact, "skin_contact");
+    const Points points(reference, node_count, reference_stride, "reference");
+    const auto elements = triangles_of(triangles, triangle_count, triangle_stride, node_count);
+    needed(mass, "mass");
+    const coupling::SkinContactParameters parameters{positive(thickness, "thickness"),
+                                                     positive(stiffness, "stiffness"),
+                                                     number(friction, "friction", 0.0)};
+    *skin_contact = keep(std::make_shared<SkinContact>(
+        elements, points, std::span(mass, static_cast<std::size_t>(node_count)), parameters));
+  });
+}
+
+int gasjet_skin_contact_evaluate(gasjet_handle skin_contact, const double nodes[], int64_t node_count,
+                                 const int64_t node_stride[], double force[], int64_t force_count,
+                                 gasjet_skin_contact_sums* sums) {
+  return call([&] {
+    const Use<SkinContact> use(skin_contact, "skin_contact");
+    require_count(node_count, use->model.node_count(), "nodes");
+    const Points points(nodes, node_count, node_stride, "nodes");
+    const auto out = output(force, force_count, 3 * node_count, "force");
+    needed(sums, "sums");
+    if (use->spoiled) refuse("skin_contact", "failed at the last call, allowed: a restart");
+    use->spoiled = true;
+    const auto result = use->model.evaluate(use->state, points.view(),
+                                            Eigen::Map<Eigen::Matrix3Xd>(out.data(), 3, node_count));
+    use->spoiled = false;
+    sums->energy = result.energy;
+    sums->friction_loss = result.friction_loss;
+    sums->frequency = result.omega_squared;
+    sums->gap = result.closest.gap;
+    sums->approach = result.approach;
+    sums->contacts = result.contacts;
+    sums->limited_nodes = use->state.limited_nodes();
+    std::ranges::copy(result.closest.first, sums->first_nodes);
+    std::ranges::copy(result.closest.second, sums->second_nodes);
+  });
+}
+
+int gasjet_skin_contact_restart(gasjet_handle skin_contact) {
+  return call([&] {
+    const Use<SkinContact> use(skin_contact, "skin_contact");
+    use->state = use->model.make_state();
+    use->spoiled = false;
+  });
+}
+
+int gasjet_default_skin_stiffness(double share, double other_frequency, double surface_density,
+                                  double* stiffness) {
+  return call([&] {
+    const double found = coupling::default_skin_stiffness(positive(share, "share"),
+                                                          positive(other_frequency, "other_frequency"),
+                                                          positive(surface_density, "surface_density"));
+    needed(stiffness, "stiffness") = finite(found, "stiffness");
   });
 }

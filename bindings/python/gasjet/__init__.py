@@ -2,16 +2,18 @@
 """Gasjet: airbags inflated with an analytical gas jet. SI units throughout.
 
 run() runs a case, exact() and catalogue() give the closed forms, compare() judges histories, visible() finds hidden elements,
-check_surface() finds faults of a mesh. Gas, Tank, Jet, Surface, Membrane, Contact and Pendulum are parts for your own program.
+check_surface() finds faults of a mesh. Gas, Tank, Jet, Surface, Membrane, Contact, SkinContact and Pendulum are parts for your own
+program.
 """
 from . import _gasjet
 from .bodies import Gas, Jet, Membrane, Surface, Tank, check_surface, fabric_leak, orifice, outlet, visible
-from .coupling import Contact, Pendulum
+from .coupling import Contact, Pendulum, SkinContact
 from .errors import BusyError, DomainError, Error, GasjetWarning, InputError, StoppedError
 from .runs import Run, catalogue, compare, exact, run
 
 __version__ = _gasjet.version()
 __all__ = [
     "BusyError", "Contact", "DomainError", "Error", "Gas", "GasjetWarning", "InputError", "Jet", "Membrane", "Pendulum", "Run",
-    "StoppedError", "Surface", "Tank", "catalogue", "check_surface", "compare", "exact", "fabric_leak", "orifice", "outlet", "run", "visible",
+    "SkinContact", "StoppedError", "Surface", "Tank", "catalogue", "check_surface", "compare", "exact", "fabric_leak", "orifice", "outlet",
+    "run", "visible",
 ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pendulum and contact of a sphere. SI units; names of results end with their unit."""
+"""Pendulum, contact of a sphere with a skin, and of a skin with itself. SI units; names of results end with their unit."""
 from __future__ import annotations
 
 from typing import Any, Dict
@@ -86,3 +86,43 @@ class Contact:
         since the last call, used by friction only. DomainError if the sphere sinks in by more than half its radius.
         """
         return _gasjet.contact_evaluate(self._handle, as_points(nodes, "nodes"), centre, turn)
+
+
+class SkinContact:
+    """Contact of a skin with itself: layers closer than thickness [m] push each other apart, pressure = stiffness [N/m3] times depth.
+
+    reference: the skin's stress-free shape; masses [kg] of its nodes affect the frequency; thickness: at most the smallest altitude
+    of a triangle; friction [-]: Coulomb's coefficient. Parts with a common node, or nodes that an edge joins, do not touch.
+    """
+
+    __slots__ = ("_handle", "_words", "__weakref__")
+
+    def __init__(self, reference: Any, triangles: Any = None, *, masses: Any, thickness: float, stiffness: float,
+                 friction: float = 0.0) -> None:
+        reference, triangles = mesh_arrays(reference, triangles, "reference")
+        self._handle = _gasjet.skin_contact(reference, triangles, as_column(masses, "masses"), thickness, stiffness, friction)
+        self._words = f"thickness {thickness:g} m, {stiffness:g} N/m3, friction {friction:g}, {len(triangles)} elements"
+
+    def __repr__(self) -> str:
+        return f"<gasjet.SkinContact {self._words}>"
+
+    def evaluate(self, nodes: Any) -> Dict[str, Any]:
+        """node_force_N (n, 3), energy_J, friction_loss_J (since the last call), frequency_1_s2 (for the critical step), contacts
+        (pairs that touch), gap_m (the smallest, infinite: none touches), first_nodes and second_nodes of that pair (a node and a
+        triangle, or two edges), approach (largest decrease of a distance since the last call over its reach) and limited_nodes
+        (started too close and have not moved away) at positions nodes (n, 3) [m].
+
+        Calls are successive times. Layers that are too close at the first one start without force. DomainError if layers meet
+        between two calls: call restart() then.
+        """
+        return _gasjet.skin_contact_evaluate(self._handle, as_points(nodes, "nodes"))
+
+    def restart(self) -> None:
+        """Forgets all calls: the next one is the first of a run."""
+        _gasjet.skin_contact_restart(self._handle)
+
+    @staticmethod
+    def default_stiffness(share: float, other_frequency: float, surface_density: float) -> float:
+        """Stiffness [N/m3] that adds at most that share of other_frequency [1/s2], the omega^2 of all other terms, to a skin of
+        surface_density [kg/m2] without friction."""
+        return _gasjet.default_skin_stiffness(share, other_frequency, surface_density)

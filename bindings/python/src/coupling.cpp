@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact and pendulum.
+// Contacts and pendulum.
 #include "module.hpp"
 
 namespace {
@@ -52,13 +52,17 @@ py::tuple pendulum_advance(const gasjet_pendulum_model& model, double moment, do
   return py::make_tuple(angle, angular_velocity);
 }
 
+void require_one_per_node(const Numbers& masses, const Points& x) {
+  if (masses.size() != x.count())
+    wrong_type("masses", "are " + std::to_string(masses.size()) + " numbers, allowed: one per node, " +
+                             std::to_string(x.count()));
+}
+
 Owner contact(const py::object& reference, const py::object& elements, const Numbers& masses,
               double effective_mass, double radius, double stiffness, double friction) {
   const Points x = points(reference, "reference");
   const Triangles t = triangles(elements);
-  if (masses.size() != x.count())
-    wrong_type("masses", "are " + std::to_string(masses.size()) + " numbers, allowed: one per node, " +
-                             std::to_string(x.count()));
+  require_one_per_node(masses, x);
   gasjet_handle handle = 0;
   unlocked([&] {
     return gasjet_contact_create(x.data(), x.count(), x.stride.data(), t.data(), t.count(), t.stride.data(),
@@ -91,6 +95,59 @@ py::dict contact_evaluate(const Handle& contact, const py::object& nodes, const 
   return all;
 }
 
+Owner skin_contact(const py::object& reference, const py::object& elements, const Numbers& masses,
+                   double thickness, double stiffness, double friction) {
+  const Points x = points(reference, "reference");
+  const Triangles t = triangles(elements);
+  require_one_per_node(masses, x);
+  gasjet_handle handle = 0;
+  unlocked([&] {
+    return gasjet_skin_contact_create(x.data(), x.count(), x.stride.data(), t.data(), t.count(),
+                                      t.stride.data(), masses.data(), thickness, stiffness, friction,
+                                      &handle);
+  });
+  return std::make_unique<Handle>(handle);
+}
+
+/// Node numbers up to the first -1.
+py::tuple nodes_of(const int64_t* begin, const int64_t* end) {
+  return py::tuple(py::cast(std::vector<int64_t>(begin, std::find(begin, end, -1))));
+}
+
+py::dict skin_contact_evaluate(const Handle& skin_contact, const py::object& nodes) {
+  const Points x = points(nodes, "nodes");
+  auto force = vectors<double>(x.count());
+  double* f = force.mutable_data();
+  std::fill_n(f, 3 * x.count(), 0.0);  // the library adds to it
+  gasjet_skin_contact_sums s;
+  unlocked([&] {
+    return gasjet_skin_contact_evaluate(skin_contact.value, x.data(), x.count(), x.stride.data(), f,
+                                        3 * x.count(), &s);
+  });
+  py::dict all;
+  all["node_force_N"] = force;
+  all["energy_J"] = s.energy;
+  all["friction_loss_J"] = s.friction_loss;
+  all["frequency_1_s2"] = s.frequency;
+  all["gap_m"] = s.gap;
+  all["approach"] = s.approach;
+  all["contacts"] = s.contacts;
+  all["limited_nodes"] = s.limited_nodes;
+  all["first_nodes"] = nodes_of(std::begin(s.first_nodes), std::end(s.first_nodes));
+  all["second_nodes"] = nodes_of(std::begin(s.second_nodes), std::end(s.second_nodes));
+  return all;
+}
+
+void skin_contact_restart(const Handle& skin_contact) {
+  check(gasjet_skin_contact_restart(skin_contact.value));
+}
+
+double default_skin_stiffness(double share, double other_frequency, double surface_density) {
+  double stiffness = 0.0;
+  check(gasjet_default_skin_stiffness(share, other_frequency, surface_density, &stiffness));
+  return stiffness;
+}
+
 }  // namespace
 
 void add_coupling(py::module_& m) {
@@ -105,4 +162,9 @@ void add_coupling(py::module_& m) {
   def(m, "contact", &contact,
       {"reference", "triangles", "masses", "effective_mass", "radius", "stiffness", "friction"});
   def(m, "contact_evaluate", &contact_evaluate, {"contact", "nodes", "centre", "turn"});
+  def(m, "skin_contact", &skin_contact,
+      {"reference", "triangles", "masses", "thickness", "stiffness", "friction"});
+  def(m, "skin_contact_evaluate", &skin_contact_evaluate, {"skin_contact", "nodes"});
+  def(m, "skin_contact_restart", &skin_contact_restart, {"skin_contact"});
+  def(m, "default_skin_stiffness", &default_skin_stiffness, {"share", "other_frequency", "surface_density"});
 }

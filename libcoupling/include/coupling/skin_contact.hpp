@@ -124,6 +124,7 @@ class SkinContactModel {
   /// Bound [1/s2] with both sides of the whole skin in contact (K.46).
   double full_omega_squared() const;
   const SkinContactParameters& parameters() const { return parameters_; }  // the parameters as given
+  int node_count() const;                                                  // N, nodes of the skin
 
  private:
   SkinContactParameters parameters_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/* Pendulum and contact of a sphere: libcoupling. Tags (K.n): docs/theory/coupling.md. */
+/* Pendulum, contact of a sphere with a skin, and of a skin with itself: libcoupling. Tags (K.n):
+ * docs/theory/coupling.md. */
 #ifndef GASJET_COUPLING_H
 #define GASJET_COUPLING_H
 
@@ -77,6 +78,45 @@ GASJET_API int gasjet_contact_evaluate(gasjet_handle contact, const double nodes
                                        const int64_t GASJET_OR_NULL node_stride[], const double centre[3],
                                        const double GASJET_OR_NULL turn[3], double force[],
                                        int64_t force_count, gasjet_contact_sums* sums);
+
+/* Contact of a skin with itself (K.44): layers closer than `thickness` push each other apart. mass [kg]: one
+ * per node; thickness [m] > 0, at most the smallest altitude of a triangle; stiffness [N/m3] > 0: pressure
+ * per depth; friction [-] >= 0. Parts with a common node, or nodes that an edge joins, do not touch. */
+GASJET_API int gasjet_skin_contact_create(const double reference[], int64_t node_count,
+                                          const int64_t GASJET_OR_NULL reference_stride[],
+                                          const int32_t triangles[], int64_t triangle_count,
+                                          const int64_t GASJET_OR_NULL triangle_stride[], const double mass[],
+                                          double thickness, double stiffness, double friction,
+                                          gasjet_handle* skin_contact);
+
+/* One evaluation. The closest parts are a node and a triangle, or two edges; unused numbers are -1. */
+typedef struct gasjet_skin_contact_sums {
+  double energy;           /* [J] */
+  double friction_loss;    /* [J] since the last call */
+  double frequency;        /* [1/s2] bound of the contact's omega^2 (K.46) */
+  double gap;              /* [m] the smallest distance; infinity if nothing touches */
+  double approach;         /* [-] largest decrease of a distance since the last call over its reach (K.47) */
+  int64_t contacts;        /* pairs that touch */
+  int64_t limited_nodes;   /* nodes that started too close and have not moved away since (K.45) */
+  int64_t first_nodes[2];  /* of the closest parts: a node and -1, or an edge */
+  int64_t second_nodes[3]; /* a triangle, or an edge and -1 */
+} gasjet_skin_contact_sums;
+
+/* Adds the contact's forces [N] to `force`, three numbers per node. Calls are successive times of a run.
+ * Layers that are too close at the first call start without force. GASJET_DOMAIN if layers meet on straight
+ * paths from the last call; `force` must not be used then, and gasjet_skin_contact_restart must come next. */
+GASJET_API int gasjet_skin_contact_evaluate(gasjet_handle skin_contact, const double nodes[],
+                                            int64_t node_count, const int64_t GASJET_OR_NULL node_stride[],
+                                            double force[], int64_t force_count,
+                                            gasjet_skin_contact_sums* sums);
+
+/* Forgets all calls: the next one is the first of a run. */
+GASJET_API int gasjet_skin_contact_restart(gasjet_handle skin_contact);
+
+/* Stiffness [N/m3] that adds at most `share` of other_frequency [1/s2], the omega^2 of all other terms, to a
+ * skin of surface_density [kg/m2] without friction: share omega^2 rho h / 4 (K.46). */
+GASJET_API int gasjet_default_skin_stiffness(double share, double other_frequency, double surface_density,
+                                             double* stiffness);
 
 #ifdef __cplusplus
 }
