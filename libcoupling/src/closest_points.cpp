@@ -10,10 +10,9 @@ namespace {
 using Eigen::Vector3d;
 
 TrianglePoint on_edge(double t, int from, int to) {
-  TrianglePoint point{{0.0, 0.0, 0.0}, 0};
+  TrianglePoint point{};
   point.weight[from] = 1.0 - t;
   point.weight[to] = t;
-  point.corners = (t < 1.0 ? 1u << from : 0u) | (t > 0.0 ? 1u << to : 0u);
   return point;
 }
 
@@ -38,13 +37,13 @@ TrianglePoint closest_on_triangle(const Vector3d& p, const Vector3d& a, const Ve
                                   const Vector3d& c) {
   const Vector3d ab = b - a, ac = c - a, ap = p - a;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return {{1.0, 0.0, 0.0}, 1};
+  if (d1 <= 0.0 && d2 <= 0.0) return {{1.0, 0.0, 0.0}};
   const Vector3d bp = p - b;
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0.0 && d4 <= d3) return {{0.0, 1.0, 0.0}, 2};
+  if (d3 >= 0.0 && d4 <= d3) return {{0.0, 1.0, 0.0}};
   const Vector3d cp = p - c;
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0.0 && d5 <= d6) return {{0.0, 0.0, 1.0}, 4};
+  if (d6 >= 0.0 && d5 <= d6) return {{0.0, 0.0, 1.0}};
   const double vc = d1 * d4 - d3 * d2;
   if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return on_edge(d1 / (d1 - d3), 0, 1);
   const double vb = d5 * d2 - d1 * d6;
@@ -54,7 +53,7 @@ TrianglePoint closest_on_triangle(const Vector3d& p, const Vector3d& a, const Ve
   const double sum = va + vb + vc;
   if (!(va > 0.0 && vb > 0.0 && vc > 0.0)) return closest_on_edges(p, {a, b, c});
   const double v = vb / sum, w = vc / sum;
-  return {{1.0 - v - w, v, w}, 7};
+  return {{1.0 - v - w, v, w}};
 }
 
 double closest_on_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {

@@ -5,11 +5,9 @@
 
 namespace coupling::detail {
 
-/// Point of a triangle: weights of its corners. A corner is in `corners` (bit k) if its weight is not 0: all
-/// three inside, two on an edge, one at a corner.
+/// Point of a triangle: weights of its corners.
 struct TrianglePoint {
   double weight[3];
-  unsigned corners;
 };
 
 /// Point of the closed triangle abc that is closest to p; of one without area, a point of its edges. Source:

@@ -2,25 +2,12 @@
 #include "skin_friction.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <utility>
 
 namespace coupling::detail {
 namespace {
 
 using Eigen::Vector3d;
-
-// True for one of the elements that have the closest point, so that a layer counts once.
-bool has_point(const Touch& touch, const SkinParts& parts) {
-  const int triangle = touch.pair.second;
-  const unsigned inside = touch.closest.inside;
-  if (inside == 7) return true;
-  if (std::popcount(inside) == 1) {
-    const int corner = parts.triangles(std::countr_zero(inside), triangle);
-    return parts.node_owner[static_cast<std::size_t>(corner)] == triangle;
-  }
-  const int edge = parts.triangle_edges(std::countr_zero(~inside & 7u), triangle);
-  return parts.edge_owner[static_cast<std::size_t>(edge)] == triangle;
-}
 
 bool neighbours(const SkinParts& parts, int first, int second) {
   for (const int a : parts.triangles.col(first))
@@ -38,6 +25,7 @@ SkinFriction::SkinFriction(const SkinParts& parts) {
   if (!(parts.parameters.friction > 0.0)) return;
   now_.resize(parts.masses.size());
   before_.resize(parts.masses.size());
+  closest_.resize(parts.masses.size());
 }
 
 // The bristle of the last level on the same layer.
@@ -51,13 +39,21 @@ SkinBristle SkinFriction::take(int node, int triangle, const SkinParts& parts) {
   return {};
 }
 
-void SkinFriction::add(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& now,
-                       const Eigen::Matrix3Xd& before, NodalForces& forces, SkinContactResult& result) {
+// Keeps the closest element of each layer, because others of the layer are near too.
+void SkinFriction::choose(const Touch& touch, const SkinParts& parts) {
+  auto& chosen = closest_[static_cast<std::size_t>(touch.pair.first)];
+  if (!chosen[0]) held_.push_back(touch.pair.first);
+  for (const Touch*& other : chosen) {
+    if (other && !neighbours(parts, other->pair.second, touch.pair.second)) continue;
+    if (!other || touch.closest.distance < other->closest.distance) other = &touch;
+    return;
+  }
+}
+
+SkinBristle SkinFriction::hold(const Touch& touch, double depth, const SkinParts& parts,
+                               const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before,
+                               NodalForces& forces, SkinContactResult& result) {
   const int node = touch.pair.first;
-  Sides& sides = now_[static_cast<std::size_t>(node)];
-  SkinBristle* const place = sides[0].triangle < 0 ? &sides[0] : sides[1].triangle < 0 ? &sides[1] : nullptr;
-  if (!place) return;
-  if (place == &sides[0]) held_.push_back(node);
   const Corners corners = corners_of(parts, touch.pair);
   Vector3d slip = Vector3d::Zero();
   for (int k = 0; k < 4; ++k)
@@ -72,7 +68,7 @@ void SkinFriction::add(const Touch& touch, double depth, const SkinParts& parts,
   for (int k = 0; k < 4; ++k) forces.col(corners.node[k]) -= touch.closest.weight[k] * weight * stretch;
   result.energy += 0.5 * weight * stretch.squaredNorm();
   result.friction_loss += 0.5 * weight * (old.stretch + stretch).dot(wanted - stretch);
-  *place = {touch.pair.second, stretch};
+  return {touch.pair.second, stretch};
 }
 
 // A bristle that has lost its layer loses its energy.
@@ -91,10 +87,14 @@ void SkinFriction::add(const std::vector<Touch>& touches, const SkinParts& parts
                        const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before, NodalForces& forces,
                        SkinContactResult& result) {
   if (now_.empty()) return;
-  for (const Touch& touch : touches) {
-    if (touch.pair.edges) continue;
-    const double depth = limits[touch.pair.first] - touch.closest.distance;
-    if (depth > 0.0 && has_point(touch, parts)) add(touch, depth, parts, now, before, forces, result);
+  for (const Touch& touch : touches)
+    if (!touch.pair.edges && touch.closest.distance < limits[touch.pair.first]) choose(touch, parts);
+  for (const int node : held_) {
+    const auto n = static_cast<std::size_t>(node);
+    for (const std::size_t side : {0u, 1u})
+      if (const Touch* touch = std::exchange(closest_[n][side], nullptr))
+        now_[n][side] =
+            hold(*touch, limits[node] - touch->closest.distance, parts, now, before, forces, result);
   }
   result.friction_loss += release(parts);
   now_.swap(before_);

@@ -26,12 +26,14 @@ class SkinFriction {
  private:
   using Sides = std::array<SkinBristle, 2>;
   SkinBristle take(int node, int triangle, const SkinParts& parts);
-  void add(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& now,
-           const Eigen::Matrix3Xd& before, NodalForces& forces, SkinContactResult& result);
+  void choose(const Touch& touch, const SkinParts& parts);
+  SkinBristle hold(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& now,
+                   const Eigen::Matrix3Xd& before, NodalForces& forces, SkinContactResult& result);
   double release(const SkinParts& parts);
 
-  std::vector<Sides> now_, before_;      // by node
-  std::vector<int> held_, held_before_;  // nodes that have some
+  std::vector<Sides> now_, before_;                   // by node
+  std::vector<std::array<const Touch*, 2>> closest_;  // by node; null between calls
+  std::vector<int> held_, held_before_;               // nodes that have some
 };
 
 }  // namespace coupling::detail

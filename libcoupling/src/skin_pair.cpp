@@ -32,7 +32,6 @@ Closest closest_of(bool edges, const Quad& x) {
   } else {
     const TrianglePoint at = closest_on_triangle(x.col(0), x.col(1), x.col(2), x.col(3));
     closest.weight = {1.0, -at.weight[0], -at.weight[1], -at.weight[2]};
-    closest.inside = at.corners;
   }
   // Of differences, so that a shift of all corners changes little.
   const int split = edges ? 2 : 1;

@@ -26,7 +26,6 @@ struct Closest {
   Eigen::Vector4d weight;
   double distance;         // [m]
   Eigen::Vector3d normal;  // unit, from the second part to the first; undefined without distance
-  unsigned inside;         // corners of the triangle with a weight, as in TrianglePoint
 };
 Closest closest_of(bool edges, const Quad& x);
 
