@@ -12,7 +12,8 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kThickness = 0.01, kStiffness = 1e7;
+using scenes::kSkinStiffness;
+using scenes::kThickness;
 
 // Uneven plates that are close, and were far at the level before.
 struct Pressed {
@@ -24,7 +25,7 @@ struct Pressed {
 
   explicit Pressed(double gap, double friction = 0.0)
       : skin(scenes::two_plates(6, 5, 0.3, 0.03)),
-        model(scenes::skin_contact(skin, kThickness, kStiffness, friction)),
+        model(scenes::skin_contact(skin, kThickness, kSkinStiffness, friction)),
         state(model.make_state()),
         nodes(skin.nodes) {
     scenes::level_of(model, state, nodes);
@@ -81,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Gaps, SkinContactAtGap, testing::Values(0.7, 0.35));
 TEST(SkinContactForce, FlatLayersFeelThePressureOfTheirGapWhateverTheirMeshes) {
   for (const int cells : {6, 7, 12}) {
     const scenes::Skin skin = scenes::two_plates(6, cells, 0.3, 0.03);
-    const auto model = scenes::skin_contact(skin, kThickness, kStiffness);
+    const auto model = scenes::skin_contact(skin, kThickness, kSkinStiffness);
     auto state = model.make_state();
     scenes::level_of(model, state, skin.nodes);
     const Eigen::Index upper = skin.nodes.cols() - 49;
@@ -89,10 +90,10 @@ TEST(SkinContactForce, FlatLayersFeelThePressureOfTheirGapWhateverTheirMeshes) {
     for (const double gap : {0.95, 0.9, 0.81}) {
       nodes.rightCols(upper).row(2).setConstant(gap * kThickness);
       const auto level = scenes::level_of(model, state, nodes);
-      const double pressure = kStiffness * (1.0 - gap) * kThickness, area = 0.09;
+      const double pressure = kSkinStiffness * (1.0 - gap) * kThickness, area = 0.09;
       EXPECT_NEAR(level.forces.rightCols(upper).row(2).sum(), pressure * area, 1e-12 * pressure * area);
-      EXPECT_NEAR(level.result.energy, 0.5 * pressure * pressure / kStiffness * area,
-                  1e-11 * pressure * pressure / kStiffness * area);
+      EXPECT_NEAR(level.result.energy, 0.5 * pressure * pressure / kSkinStiffness * area,
+                  1e-11 * pressure * pressure / kSkinStiffness * area);
       EXPECT_NEAR(level.result.closest.gap, gap * kThickness, 1e-15);
     }
   }
@@ -100,13 +101,13 @@ TEST(SkinContactForce, FlatLayersFeelThePressureOfTheirGapWhateverTheirMeshes) {
 
 TEST(SkinContactForce, LayersThatStartCloseStartAtRestAndTheirLimitGrows) {
   const scenes::Skin skin = scenes::two_plates(6, 5, 0.3, 0.6 * kThickness);
-  const auto model = scenes::skin_contact(skin, kThickness, kStiffness);
+  const auto model = scenes::skin_contact(skin, kThickness, kSkinStiffness);
   auto state = model.make_state();
   Matrix3Xd nodes = skin.nodes;
   const auto force_at = [&](double gap) {
     nodes.rightCols(36).row(2).setConstant(gap * kThickness);
     return scenes::level_of(model, state, nodes).forces.rightCols(36).row(2).sum() /
-           (kStiffness * kThickness * 0.09);
+           (kSkinStiffness * kThickness * 0.09);
   };
   EXPECT_EQ(force_at(0.6), 0.0);
   EXPECT_EQ(state.limited_nodes(), 49 + 36);

@@ -6,6 +6,9 @@
 
 namespace scenes {
 
+inline constexpr double kThickness = 0.01, kSkinStiffness = 1e6;  // [m] [N/m3] of the contact
+inline constexpr double kDensity = 0.31;                          // [kg/m2] of the skins
+
 inline coupling::SkinContactModel skin_contact(const Skin& skin, double thickness, double stiffness,
                                                double friction = 0.0) {
   return {skin.triangles, skin.nodes, skin.masses, {thickness, stiffness, friction}};
