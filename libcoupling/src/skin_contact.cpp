@@ -82,8 +82,8 @@ SkinContactResult SkinContactModel::evaluate(SkinContactState& state, const Node
   run.search.follow(nodes);
   SkinContactResult result;
   detail::SkinForces(run.search, nodes, run.memory, forces, result).add();
-  run.friction.add(run.search.touches(), *parts_, run.memory.node_limits, run.search.paths().now(),
-                   run.search.paths().before(), forces, result);
+  run.friction.add(run.search.touches(), *parts_, run.memory.node_limits, run.search.now(),
+                   run.search.before(), forces, result);
   // Sticking adds the same stiffness at right angles; a sliding force follows the depth.
   result.omega_squared *= std::sqrt(1.0 + parameters_.friction * parameters_.friction);
   result.approach = run.search.approach();

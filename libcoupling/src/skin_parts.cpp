@@ -150,6 +150,7 @@ SkinParts::SkinParts(const Triangles& given, const Nodes& reference, std::span<c
   weigh(*this, reference);
   groups = make_groups(triangles, reference);
   share_out(*this);
+  masks = PartMasks(*this);
 }
 
 bool SkinParts::adjacent(int node, int other) const {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes, edges and triangles of a skin, and which of them are neighbours.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
 #include "coupling/element_groups.hpp"
 #include "coupling/skin_contact.hpp"
+#include "skin_masks.hpp"
 
 namespace coupling::detail {
 
@@ -46,6 +48,12 @@ struct SkinParts {
   static constexpr double kEdgeShare = 0.8;
   double reach_of_edges() const { return kEdgeShare * parameters.thickness; }
   double reach_of(bool of_edges) const { return of_edges ? reach_of_edges() : parameters.thickness; }
+  /// Elements of a group.
+  std::span<const int> group_elements(int group) const {
+    const auto begin = static_cast<std::size_t>(group) * ElementGroups::kSize;
+    return std::span(groups.elements)
+        .subspan(begin, std::min(ElementGroups::kSize, groups.elements.size() - begin));
+  }
 
   SkinContactParameters parameters;
   Eigen::Matrix3Xi triangles;               // (3 x M)
@@ -62,6 +70,7 @@ struct SkinParts {
   double full_omega_squared = 0.0;          // [1/s2]
   ElementGroups groups;
   Lists group_nodes, group_edges;  // that belong to a group, each to one
+  PartMasks masks;
 };
 
 }  // namespace coupling::detail

@@ -3,16 +3,21 @@
 //
 // The skin's elements are in groups of 16 neighbours, each with the nodes and edges that it owns. At a mark
 // the groups whose boxes are near are paired; others cannot touch before a node has moved by a margin. A pair
-// is looked at when the motion of its groups relative to each other may have used up the least distance of
-// its parts: since the mark, as positions; or since the last look, as a path, which is shorter for a while. A
-// look takes all parts of which the boxes, of their paths in the last step, are near. So what met between two
-// levels is seen, and forces have an order that depends on the mesh alone.
+// rests while the motion of its groups relative to each other is below its slack, the least distance of their
+// parts: since the mark, as positions; or since the last look, as a path, which is shorter for a while. A
+// mark is cheap, as slack is carried over, and worked out anew only for pairs that have used it up.
+//
+// A look takes all parts of which the boxes, of their paths in the last step, are near. A pair rests if its
+// motion was below its slack at both ends of the step, so that what met between two levels is seen. Forces
+// have an order that depends on the mesh alone.
 #pragma once
 #include <memory>
 #include <vector>
 
-#include "skin_lists.hpp"
+#include "skin_boxes.hpp"
+#include "skin_gaps.hpp"
 #include "skin_motion.hpp"
+#include "skin_pair.hpp"
 
 namespace coupling::detail {
 
@@ -27,6 +32,8 @@ struct Touch {
 struct GroupPair {
   int first, second;
   double slack = -1.0;  // motion since the mark before parts can touch
+  bool fresh = false;   // slack was worked out at the last mark
+  bool rests = false;   // motion was below it at the last level
   double path = 0.0;    // motion since the last look
   double room = -1.0;   // motion since the last look before parts can touch
   long level = -1;      // of the path
@@ -40,30 +47,33 @@ class SkinSearch {
   /// Goes on to the next level. Throws ContactError.
   void follow(const Nodes& nodes);
 
-  const std::vector<Touch>& touches() const { return touches_; }  // of the last level
-  double approach() const { return approach_; }                   // [-] as in SkinContactResult
-  const SkinPaths& paths() const { return paths_; }               // to the last level from the one before
+  const std::vector<Touch>& touches() const { return touches_; }      // of the last level
+  double approach() const { return approach_; }                       // [-] as in SkinContactResult
+  const Eigen::Matrix3Xd& now() const { return paths_.now(); }        // positions at the last level
+  const Eigen::Matrix3Xd& before() const { return paths_.before(); }  // and at the one before
   const std::shared_ptr<const SkinParts>& parts() const { return parts_; }
   bool first_level() const { return level_ == 1; }  // the last level was the first one
   long looks() const { return looks_; }             // distances computed
   long sweeps() const { return sweeps_; }           // paths tested
 
  private:
+  void look_at_all();
   void mark();
   bool must_look(GroupPair& pair);
-  double look(const GroupPair& pair, double range);
+  double least_distance(SkinBoxes& boxes, const GroupPair& pair, double near);
   double look(const PartPair& pair);
 
   std::shared_ptr<const SkinParts> parts_;
   bool every_pair_;
-  double margin_;         // [m] motion of a node before the next mark
-  long level_ = 0;        // levels so far
-  bool marking_ = false;  // this level is a mark
-  SkinPaths paths_;
+  double near_, far_;  // [m] parts whose paths come closer are looked at; farther ones need not be told apart
+  double margin_;      // [m] motion of a node before the next mark
+  long level_ = 0;     // levels so far
+  SkinBoxes paths_, boxes_at_mark_;
   SkinMotion motion_;
   std::vector<GroupPair> pairs_;  // by first and second group, ascending
-  // Looks at pairs since the mark, and at near ones at the mark: a new one is worth that many.
+  // Pairs looked at since the mark, and worked out for it: a new one is worth that many.
   std::size_t spent_ = 0, price_ = 0;
+  std::vector<NearParts> found_;
   std::vector<Touch> touches_;
   double approach_ = 0.0;
   long looks_ = 0, sweeps_ = 0;
