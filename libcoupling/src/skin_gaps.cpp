@@ -3,52 +3,85 @@
 
 #include <algorithm>
 #include <limits>
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
 
 namespace coupling::detail {
 namespace {
 
-using Lanes = std::array<float, kLanes>;
+// Four floats. min and max are single instructions, which gcc does not find.
+using Four = float __attribute__((vector_size(16)));
+typedef float UnalignedFour __attribute__((vector_size(16), aligned(4), may_alias));
 
-// Infinite where a bit of the byte is not set, else as low as can be.
+Four load(const float* p) {
+  return *reinterpret_cast<const UnalignedFour*>(p);
+}
+Four larger(Four a, Four b) {
+#if defined(__SSE__)
+  return _mm_max_ps(a, b);
+#else
+  return a < b ? b : a;
+#endif
+}
+Four smaller(Four a, Four b) {
+#if defined(__SSE__)
+  return _mm_min_ps(a, b);
+#else
+  return b < a ? b : a;
+#endif
+}
+
+// Infinite where a bit of four is not set, else as low as can be.
 constexpr auto kExcluded = [] {
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  std::array<Lanes, 256> table{};
-  for (std::size_t byte = 0; byte < 256; ++byte)
-    for (std::size_t k = 0; k < kLanes; ++k) table[byte][k] = (byte >> k) & 1 ? -infinity : infinity;
+  std::array<std::array<float, 4>, 16> table{};
+  for (std::size_t bits = 0; bits < 16; ++bits)
+    for (std::size_t k = 0; k < 4; ++k) table[bits][k] = (bits >> k) & 1 ? -infinity : infinity;
   return table;
 }();
+
+// Adds the gaps of four lanes from `begin` on: those up to `near` to `found`, of others the least to `least`.
+void add_gaps(Four gaps, float near, std::size_t row, std::size_t begin, float& least,
+              std::vector<NearParts>& found) {
+  for (std::size_t k = 0; k < 4; ++k)
+    if (gaps[k] > near)
+      least = std::min(least, gaps[k]);
+    else
+      found.push_back({static_cast<std::uint8_t>(row), static_cast<std::uint8_t>(begin + k)});
+}
 
 }  // namespace
 
 float least_gap(const GapTable& table, float near, float least, std::vector<NearParts>& found) {
   const auto &rows = table.rows, &lanes = table.lanes;
-  const std::size_t row_stride = rows.stride, lane_stride = lanes.stride;
+  const std::size_t rs = rows.stride, ls = lanes.stride;
   for (std::size_t i = 0; i < rows.count; ++i) {
+    const float *row_low = rows.low.data() + i, *row_high = rows.high.data() + i;
+    float apart = -std::numeric_limits<float>::infinity();
+    for (std::size_t d = 0; d < kDirections; ++d)
+      apart = std::max({apart, row_low[d * rs] - table.whole.high[d], table.whole.low[d] - row_high[d * rs]});
+    if (apart > std::max(near, least)) continue;
     const std::uint64_t allowed = table.mask ? table.mask[i] : ~std::uint64_t{0};
     for (std::size_t begin = 0; begin < lanes.count; begin += kLanes) {
-      const std::uint64_t byte = (allowed >> begin) & 255;
-      if (byte == 0) continue;
-      Lanes gap = kExcluded[byte];
+      const std::size_t bits = (allowed >> begin) & 255;
+      if (bits == 0) continue;
+      Four a = load(kExcluded[bits & 15].data()), b = load(kExcluded[bits >> 4].data());
+      const float *low = lanes.low.data() + begin, *high = lanes.high.data() + begin;
       for (std::size_t d = 0; d < kDirections; ++d) {
-        const float low = rows.low[d * row_stride + i], high = rows.high[d * row_stride + i];
-        const float* const lane_low = &lanes.low[d * lane_stride + begin];
-        const float* const lane_high = &lanes.high[d * lane_stride + begin];
-        for (std::size_t k = 0; k < kLanes; ++k) {
-          gap[k] = std::max(gap[k], low - lane_high[k]);
-          gap[k] = std::max(gap[k], lane_low[k] - high);
-        }
+        const float l = row_low[d * rs], h = row_high[d * rs];
+        const Four lows = {l, l, l, l}, highs = {h, h, h, h};
+        a = larger(a, larger(lows - load(high + d * ls), load(low + d * ls) - highs));
+        b = larger(b, larger(lows - load(high + d * ls + 4), load(low + d * ls + 4) - highs));
       }
-      float smallest = gap[0];
-      for (std::size_t k = 1; k < kLanes; ++k) smallest = std::min(smallest, gap[k]);
+      const Four both = smaller(a, b);
+      const float smallest = std::min(std::min(both[0], both[1]), std::min(both[2], both[3]));
       if (smallest > near) {
         least = std::min(least, smallest);
-        continue;
+      } else {
+        add_gaps(a, near, i, begin, least, found);
+        add_gaps(b, near, i, begin + 4, least, found);
       }
-      for (std::size_t k = 0; k < kLanes; ++k)
-        if (gap[k] > near)
-          least = std::min(least, gap[k]);
-        else
-          found.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(begin + k)});
     }
   }
   return least;

@@ -8,9 +8,11 @@
 
 namespace coupling::detail {
 
-/// Two kinds of parts of two groups; each word of `mask`, if any, has the lanes that a row may touch.
+/// Parts of two groups. Those of the lanes are in a box; each word of `mask`, if any, has the lanes that a
+/// row may touch.
 struct GapTable {
   const PartBoxes &rows, &lanes;
+  const Box& whole;
   const std::uint64_t* mask;
 };
 

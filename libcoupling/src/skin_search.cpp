@@ -104,22 +104,22 @@ double SkinSearch::least_distance(SkinBoxes& boxes, const GroupPair& pair, doubl
   const std::uint64_t* mask = parts.masks.of(first, second);
   const GroupBoxes &a = boxes.of(parts, first), &b = boxes.of(parts, second);
   double least = far_;
-  const auto search = [&](const PartBoxes& rows, const PartBoxes& lanes, auto&& pair_of) {
+  const auto search = [&](const PartBoxes& rows, const PartBoxes& lanes, const Box& whole, auto&& pair_of) {
     found_.clear();
-    least = std::min<double>(least, least_gap({rows, lanes, mask}, static_cast<float>(near + rounding),
+    least = std::min<double>(least, least_gap({rows, lanes, whole, mask}, static_cast<float>(near + rounding),
                                               static_cast<float>(least), found_));
     for (const auto [row, lane] : found_) least = std::min(least, look(pair_of(row, lane)));
     if (mask) mask += rows.count;
   };
-  const auto search_nodes = [&](const PartBoxes& nodes, int of_nodes, const PartBoxes& elements,
+  const auto search_nodes = [&](const GroupBoxes& nodes, int of_nodes, const GroupBoxes& elements,
                                 int of_elements) {
-    search(elements, nodes, [&](std::size_t row, std::size_t lane) {
+    search(elements.elements, nodes.nodes, nodes.whole, [&](std::size_t row, std::size_t lane) {
       return PartPair{parts.group_nodes[of_nodes][lane], parts.group_elements(of_elements)[row], false};
     });
   };
-  search_nodes(a.nodes, first, b.elements, second);
-  if (first != second) search_nodes(b.nodes, second, a.elements, first);
-  search(a.edges, b.edges, [&](std::size_t row, std::size_t lane) {
+  search_nodes(a, first, b, second);
+  if (first != second) search_nodes(b, second, a, first);
+  search(a.edges, b.edges, b.whole, [&](std::size_t row, std::size_t lane) {
     return PartPair{parts.group_edges[first][row], parts.group_edges[second][lane], true};
   });
   return least - rounding;
