@@ -70,4 +70,8 @@ double SkinMotion::step(int first, int second) const {
   return step_[static_cast<std::size_t>(first)] + step_[static_cast<std::size_t>(second)];
 }
 
+double SkinMotion::largest_step() const {
+  return *std::ranges::max_element(step_);
+}
+
 }  // namespace coupling::detail

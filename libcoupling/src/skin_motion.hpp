@@ -24,6 +24,8 @@ class SkinMotion {
   double since_mark(int first, int second) const;
   /// The same in the last step.
   double step(int first, int second) const;
+  /// [m] No node moved farther in the last step.
+  double largest_step() const;
 
  private:
   const ElementGroups* groups_;

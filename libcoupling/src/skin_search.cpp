@@ -10,6 +10,7 @@ namespace coupling::detail {
 namespace {
 
 constexpr double kMeet = 1e-9;  // share of the thickness: closer parts have met
+constexpr double kAhead = 1.5;  // steps like the last one that are looked ahead
 constexpr float kNever = -std::numeric_limits<float>::infinity();
 
 }  // namespace
@@ -17,7 +18,6 @@ constexpr float kNever = -std::numeric_limits<float>::infinity();
 SkinSearch::SkinSearch(std::shared_ptr<const SkinParts> parts, bool every_pair)
     : parts_(std::move(parts)),
       every_pair_(every_pair),
-      // What is within twice the thickness tells how fast it closes.
       near_(2.0 * parts_->parameters.thickness),
       far_(near_ + 2.0 * parts_->mean_edge),
       margin_(1.0 * parts_->mean_edge),
@@ -53,19 +53,20 @@ void SkinSearch::mark() {
 
 bool SkinSearch::must_look(GroupPair& pair) {
   const double since = motion_.since_mark(pair.first, pair.second);
-  const bool rested = std::exchange(pair.rests, since < pair.slack);
+  const double ahead = kAhead * motion_.step(pair.first, pair.second);
+  const bool rested = std::exchange(pair.rests, since + ahead < pair.slack);
   if (rested && pair.rests) return false;
   if (pair.level == level_ - 1) {
     pair.path += motion_.step(pair.first, pair.second);
     pair.level = level_;
-    if (pair.path < pair.room) return false;
+    if (pair.path + ahead < pair.room) return false;
   }
   if (pair.fresh) return true;
   pair.fresh = true;
   ++price_;
   pair.slack =
       std::max(pair.slack, least_distance(boxes_at_mark_, pair, kNever) - parts_->parameters.thickness);
-  pair.rests = since < pair.slack;
+  pair.rests = since + ahead < pair.slack;
   return !(rested && pair.rests);
 }
 
@@ -78,7 +79,7 @@ double SkinSearch::look(const PartPair& pair) {
   ++looks_;
   if (!(closest.distance > meet)) throw_gap(*parts_, pair, 0.0);
   if (level_ == 0) {
-    if (closest.distance < reach) touches_.push_back({pair, closest});
+    if (closest.distance < reach) touches_.push_back({pair, closest, closest.distance});
     return closest.distance;
   }
   const Quad y = positions(corners, before());
@@ -88,9 +89,9 @@ double SkinSearch::look(const PartPair& pair) {
     if (paths_meet(pair.edges, y, x, meet)) throw_gap(*parts_, pair, motion);
   }
   const double closing = -closest.normal.dot((x - y) * closest.weight);
-  // Parts that touch, or would after another such step and a half.
-  if (closest.distance - 1.5 * closing < reach) approach_ = std::max(approach_, closing / reach);
-  if (closest.distance < reach) touches_.push_back({pair, closest});
+  // Parts that touch, or would ahead.
+  if (closest.distance - kAhead * closing < reach) approach_ = std::max(approach_, closing / reach);
+  if (closest.distance < reach) touches_.push_back({pair, closest, closest.distance - kAhead * closing});
   return closest.distance;
 }
 
@@ -153,11 +154,14 @@ void SkinSearch::follow(const Nodes& nodes) {
   if (every_pair_) {
     look_at_all();
   } else {
-    if (level_ == 0 || motion_.moved() > margin_ || spent_ > price_) mark();
+    if (level_ == 0 || motion_.moved() + kAhead * motion_.largest_step() > margin_ || spent_ > price_) mark();
     for (GroupPair& pair : pairs_) {
       if (!must_look(pair)) continue;
       ++spent_;
-      pair.room = least_distance(paths_, pair, near_) - parts_->parameters.thickness;
+      // What may touch ahead tells how fast it closes.
+      const double thickness = parts_->parameters.thickness,
+                   near = std::max(near_, thickness + kAhead * motion_.step(pair.first, pair.second));
+      pair.room = least_distance(paths_, pair, near) - thickness;
       pair.path = 0.0;
       pair.level = level_;
     }

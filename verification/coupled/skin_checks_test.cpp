@@ -127,8 +127,9 @@ TEST(skin_checks, warn_of_any_layers_that_cross_in_spite_of_contact) {
   check.crossing.layers = 2;
   EXPECT_EQ(driver::note_of_crossing({check}), "");
   const std::string note = driver::note_of_crossing({check}, true);
-  EXPECT_NE(note.find("at 0.01 s 5 elements cross in 3 pairs, 2 of these pairs of elements that are no neighbours"),
-            std::string::npos)
+  EXPECT_NE(
+      note.find("at 0.01 s 5 elements cross in 3 pairs, 2 of these pairs of elements that are no neighbours"),
+      std::string::npos)
       << note;
 }
 

@@ -31,7 +31,7 @@ void contact(const Scene& scene, State& state);                           // S4
 void skin_contact(const Scene& scene, State& state);                      // S4, of the skin with itself
 double contact_stiffness(const Scene& scene, const State& state);         // bound of its omega^2 at n [1/s2]
 double skin_contact_stiffness(const Scene& scene, const State& state);    // likewise, of layers that touch
-double deep_contact_stiffness(const Scene& scene, const State& state);    // what those that are close add to it
+double deep_contact_stiffness(const Scene& scene, const State& state);  // what those that are close add to it
 void choose_step(const Scene& scene, State& state, bool last);
 void outlets(const Scene& scene, State& state);     // S5
 void jet_fields(const Scene& scene, State& state);  // S6

@@ -192,8 +192,8 @@ struct StepSizes {
   double steady = std::numeric_limits<double>::infinity();
   /// Number of steps that the change of the deformation gradient made shorter (M.32).
   long deformation_limited = 0;
-  double deformation = 0.0;              // [-] largest change of an element's dF in a given step (M.32)
-  int deformed_element = -1;             // that element, or the last one that made a step shorter
+  double deformation = 0.0;   // [-] largest change of an element's dF in a given step (M.32)
+  int deformed_element = -1;  // that element, or the last one that made a step shorter
   /// [s] Limit by layers of the skin that touch, which grows slowly (K.47).
   double touching = std::numeric_limits<double>::infinity();
   long approach_limited = 0;             // number of steps that layers of the skin made shorter (K.47)

@@ -16,8 +16,8 @@
 namespace driver {
 namespace {
 
-// Share of the fabric's own omega^2 that the contact adds where both sides touch, by default. Nodes of an undamped
-// skin meet at 50 m/s and more; with half of it the energy of a folded bag drifts by 1e-3.
+// Share of the fabric's own omega^2 that the contact adds where both sides touch, by default. Nodes of an
+// undamped skin meet at 50 m/s and more; with half of it the energy of a folded bag drifts by 1e-3.
 constexpr double default_skin_share = 20.0;
 
 // Null panels close the volume; there is no fabric that could touch.
