@@ -5,37 +5,12 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <random>
 
 #include "skin_scenes.hpp"
 
 namespace {
 
-using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
-
-// A sphere that crumples under an outer pressure, with contact alone against it.
-struct Crumple {
-  scenes::Skin skin = scenes::octasphere(3);
-  Matrix3Xd nodes, velocity;
-
-  explicit Crumple(double radius) {
-    skin.nodes *= radius;
-    scenes::lump_masses(skin, 0.31);
-    nodes = skin.nodes;
-    velocity.setZero(3, nodes.cols());
-    std::mt19937_64 random(3);
-    for (Eigen::Index i = 0; i < velocity.size(); ++i)
-      velocity(i) = 4.0 * (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5);
-    velocity -= 20.0 * (nodes / radius);
-    velocity.row(2) *= 2.0;
-  }
-  void advance(const Matrix3Xd& forces, double dt) {
-    for (Eigen::Index a = 0; a < nodes.cols(); ++a)
-      velocity.col(a) += dt / skin.masses[static_cast<std::size_t>(a)] * forces.col(a);
-    nodes += dt * velocity;
-  }
-};
+using scenes::Crumple;
 
 TEST(SkinContactSearch, EveryPairGivesTheSameBits) {
   Crumple crumple(0.15);
