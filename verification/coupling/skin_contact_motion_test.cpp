@@ -127,8 +127,7 @@ class Sliding {
  private:
   static constexpr Eigen::Index upper = 49;
   static scenes::Skin make() {
-    scenes::Skin lower = scenes::plate(7, cell), upper = scenes::plate(6, cell);
-    return scenes::joined(lower, upper);
+    return scenes::joined(scenes::plate(7, cell), scenes::plate(6, cell));
   }
   double gap_;
   scenes::Skin skin_ = make();
