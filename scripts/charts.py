@@ -15,6 +15,7 @@
   damaged       what damaged input does: an hour of the fuzzers, and 10,000 damaged cases by class
   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
   concepts      drawings of what words say poorly
+  unfolding     layers of a bag that starts folded, at six times; needs matplotlib
   examples      pictures that the programs of docs/examples draw; needs a build with bindings, scipy and matplotlib
   forecast, detection, ablation and the work-precision charts: see forecast.py, detection.py, ablation.py and benchmarks.py in
                 docs/make/charts
@@ -184,6 +185,10 @@ def concepts():
         output(sys.executable, f"docs/make/figures/{program}.py", cwd=ROOT, env={**os.environ, "GASJET": gasjet()})
 
 
+def unfolding():
+    output(sys.executable, "docs/make/figures/draw_unfolding.py", cwd=ROOT, env={**os.environ, "GASJET": gasjet()})
+
+
 def examples():
     environment = {**os.environ, "MATPLOTLIBRC": str(ROOT / "docs/examples/examples.mplstyle"), "SOURCE_DATE_EPOCH": "0", "MPLBACKEND": "Agg"}
     for page in sorted(ROOT.glob("docs/examples/*.md")):
@@ -213,7 +218,7 @@ def benchmark(name):
 
 CHARTS = {**{name: ladder for name in LADDERS}, **{name: benchmark for name in benchmarks.CHARTS}, "forecast": forecasts, "detection": detections,
           "ablation": ablations, **{chart.__name__: chart for chart in (ladders, jet_cost, jet_effect, figure_3, jet_decay, jet_push, damaged, frames,
-                                                                        concepts, examples)}}
+                                                                        concepts, unfolding, examples)}}
 PLANS = sorted(plan.stem for plan in ROOT.glob("cases/studies/*.toml"))
 
 
