@@ -183,6 +183,7 @@ const std::vector<Feature>& features() {
       {"membrane.mesh.generator", shape, shape},
       {"membrane.mesh", shape, shape},
       {"membrane.flatten", shape, shape},
+      {"membrane.fold", shape, shape},
       {"membrane.perturbation", shape, shape},
       {"membrane.perturbation_seed", shape, shape},
       {"membrane.fixed_panels", same, same},
