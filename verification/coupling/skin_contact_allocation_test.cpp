@@ -31,7 +31,7 @@ TEST(SkinContactAllocation, most_levels_after_the_first_swing_allocate_nothing) 
   swing();
   ASSERT_GT(support::allocations(), 0);  // the counter counts
   swing();
-  EXPECT_LE(allocating, 63);  // a quarter: where near groups are paired anew, as looks get dear
+  EXPECT_LE(allocating, 84);  // a third: where near groups are paired anew, as looks get dear
   EXPECT_GT(touching, 50);
   EXPECT_LT(touching, 200);
 }
