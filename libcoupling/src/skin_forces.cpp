@@ -34,7 +34,7 @@ void Limits::raise() {
 
 SkinMemory::SkinMemory(const SkinParts& parts)
     : node_limits(parts.masses.size(), parts.parameters.thickness),
-      edge_limits(parts.edges.size(), parts.reach_of_edges()),
+      edge_limits(parts.edges.size(), parts.reach_of(true)),
       stiffness(parts.masses.size(), 0.0) {}
 
 // Adds a repulsion of two points, the weights of which are positive in the first part, along the normal
@@ -84,11 +84,11 @@ void SkinForces::add_node(const Touch& touch) {
   push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance, deeper);
   for (int k = 0; k < 3; ++k) {
     const int edge = parts_.triangle_edges(k, triangle), corner = corners.node[k + 1];
-    if (parts_.edge_owner[static_cast<std::size_t>(edge)] == triangle)
+    if (parts_.shared_edges[static_cast<std::size_t>(edge)].owner == triangle)
       if (const int count = parts_.count_of_edge(edge, node); count != 0)
         push(node, corners.node[(k + 1) % 3 + 1], corners.node[(k + 2) % 3 + 1], count * stiffness, limit,
              deeper);
-    if (parts_.node_owner[static_cast<std::size_t>(corner)] == triangle)
+    if (parts_.shared_nodes[static_cast<std::size_t>(corner)].owner == triangle)
       if (const int count = parts_.count_of_node(corner, node); count != 0)
         push(node, corner, corner, count * stiffness, limit, deeper);
   }

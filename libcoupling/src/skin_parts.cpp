@@ -62,8 +62,7 @@ void find_edges(SkinParts& parts) {
       parts.triangle_edges(corners[i].corner, corners[i].triangle) = static_cast<int>(parts.edges.size());
     }
     parts.edges.push_back(corners[begin].edge);
-    parts.edge_owner.push_back(corners[begin].triangle);
-    parts.edge_count.push_back(1 - static_cast<int>(opposite.size()));
+    parts.shared_edges.push_back({corners[begin].triangle, 1 - static_cast<int>(opposite.size())});
     parts.opposite.add(opposite);
   }
 }
@@ -81,17 +80,16 @@ void find_neighbours(SkinParts& parts, std::size_t node_count) {
 }
 
 void count_nodes(SkinParts& parts, std::size_t node_count) {
-  parts.node_owner.assign(node_count, -1);
-  parts.node_count.assign(node_count, 1);
+  parts.shared_nodes.resize(node_count);
   for (int e = 0; e < parts.triangles.cols(); ++e)
     for (const int node : parts.triangles.col(e)) {
       const auto n = static_cast<std::size_t>(node);
-      if (parts.node_owner[n] < 0) parts.node_owner[n] = e;
-      --parts.node_count[n];
+      if (parts.shared_nodes[n].owner < 0) parts.shared_nodes[n].owner = e;
+      --parts.shared_nodes[n].count;
     }
   for (std::size_t e = 0; e < parts.edges.size(); ++e)
     for (const int node : parts.edges[e])
-      parts.node_count[static_cast<std::size_t>(node)] -= parts.edge_count[e];
+      parts.shared_nodes[static_cast<std::size_t>(node)].count -= parts.shared_edges[e].count;
 }
 
 // Gives each node and edge to the group of its first element.
@@ -100,18 +98,18 @@ void share_out(SkinParts& parts) {
   std::vector<int> group_of(parts.groups.elements.size());
   for (std::size_t k = 0; k < parts.groups.elements.size(); ++k)
     group_of[static_cast<std::size_t>(parts.groups.elements[k])] = static_cast<int>(k / ElementGroups::kSize);
-  const auto lists_of = [&](const std::vector<int>& owner) {
+  const auto lists_of = [&](const std::vector<SharedPart>& shared) {
     std::vector<std::vector<int>> list(groups);
-    for (std::size_t i = 0; i < owner.size(); ++i)
-      if (owner[i] >= 0)
-        list[static_cast<std::size_t>(group_of[static_cast<std::size_t>(owner[i])])].push_back(
+    for (std::size_t i = 0; i < shared.size(); ++i)
+      if (const int owner = shared[i].owner; owner >= 0)
+        list[static_cast<std::size_t>(group_of[static_cast<std::size_t>(owner)])].push_back(
             static_cast<int>(i));
     Lists lists;
     for (const auto& l : list) lists.add(l);
     return lists;
   };
-  parts.group_nodes = lists_of(parts.node_owner);
-  parts.group_edges = lists_of(parts.edge_owner);
+  parts.group_nodes = lists_of(parts.shared_nodes);
+  parts.group_edges = lists_of(parts.shared_edges);
 }
 
 void weigh(SkinParts& parts, const Nodes& reference) {
@@ -169,7 +167,7 @@ bool SkinParts::neighbours(const PartPair& pair) const {
 }
 
 int SkinParts::count_of_edge(int edge, int node) const {
-  int count = edge_count[static_cast<std::size_t>(edge)];
+  int count = shared_edges[static_cast<std::size_t>(edge)].count;
   for (const int other : opposite[edge]) count += adjacent(node, other);
   return count;
 }
@@ -177,7 +175,7 @@ int SkinParts::count_of_edge(int edge, int node) const {
 int SkinParts::count_of_node(int corner, int node) const {
   for (const int other : neighbours_of[corner])
     if (adjacent(node, other)) return 0;
-  return node_count[static_cast<std::size_t>(corner)];
+  return shared_nodes[static_cast<std::size_t>(corner)].count;
 }
 
 }  // namespace coupling::detail

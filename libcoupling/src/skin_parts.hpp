@@ -32,6 +32,12 @@ struct PartPair {
   bool edges;
 };
 
+/// An edge or node that elements share.
+struct SharedPart {
+  int owner = -1;  // first element with it
+  int count = 1;   // c_f without neighbours (K.44)
+};
+
 /// The constant part of a skin's contact with itself.
 struct SkinParts {
   SkinParts(const Triangles& triangles, const Nodes& reference, std::span<const double> masses,
@@ -46,8 +52,7 @@ struct SkinParts {
   int count_of_node(int corner, int node) const;
   /// Edges only keep creases from crossing, and touch at this share of the distance of nodes.
   static constexpr double kEdgeShare = 0.8;
-  double reach_of_edges() const { return kEdgeShare * parameters.thickness; }
-  double reach_of(bool of_edges) const { return of_edges ? reach_of_edges() : parameters.thickness; }
+  double reach_of(bool of_edges) const { return (of_edges ? kEdgeShare : 1.0) * parameters.thickness; }
   /// Elements of a group.
   std::span<const int> group_elements(int group) const {
     const auto begin = static_cast<std::size_t>(group) * ElementGroups::kSize;
@@ -56,18 +61,18 @@ struct SkinParts {
   }
 
   SkinContactParameters parameters;
-  Eigen::Matrix3Xi triangles;               // (3 x M)
-  std::vector<std::array<int, 2>> edges;    // (E) nodes, ascending
-  Eigen::Matrix3Xi triangle_edges;          // (3 x M) edge k is opposite corner k
-  Lists opposite;                           // (E) corners opposite to the edge, one a triangle
-  Lists neighbours_of;                      // (N) nodes joined to it, ascending
-  std::vector<int> edge_owner, node_owner;  // first triangle with it
-  std::vector<int> edge_count, node_count;  // c_f without neighbours
-  std::vector<double> node_weight;          // (N) [m2] A_n/2
-  std::vector<double> edge_weight;          // (E) [m2] half of the triangles at it
-  std::vector<double> masses;               // (N) [kg]
-  double mean_edge = 0.0;                   // [m]
-  double full_omega_squared = 0.0;          // [1/s2]
+  Eigen::Matrix3Xi triangles;             // (3 x M)
+  std::vector<std::array<int, 2>> edges;  // (E) nodes, ascending
+  Eigen::Matrix3Xi triangle_edges;        // (3 x M) edge k is opposite corner k
+  Lists opposite;                         // (E) corners opposite to the edge, one a triangle
+  Lists neighbours_of;                    // (N) nodes joined to it, ascending
+  std::vector<SharedPart> shared_edges;   // (E)
+  std::vector<SharedPart> shared_nodes;   // (N)
+  std::vector<double> node_weight;        // (N) [m2] A_n/2
+  std::vector<double> edge_weight;        // (E) [m2] half of the triangles at it
+  std::vector<double> masses;             // (N) [kg]
+  double mean_edge = 0.0;                 // [m]
+  double full_omega_squared = 0.0;        // [1/s2]
   ElementGroups groups;
   Lists group_nodes, group_edges;  // that belong to a group, each to one
   PartMasks masks;
