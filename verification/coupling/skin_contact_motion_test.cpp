@@ -126,9 +126,7 @@ class Sliding {
 
  private:
   static constexpr Eigen::Index upper = 49;
-  static scenes::Skin make() {
-    return scenes::joined(scenes::plate(7, cell), scenes::plate(6, cell));
-  }
+  static scenes::Skin make() { return scenes::joined(scenes::plate(7, cell), scenes::plate(6, cell)); }
   double gap_;
   scenes::Skin skin_ = make();
   coupling::SkinContactModel model_ = scenes::skin_contact(skin_, kThickness, kSkinStiffness, friction);
