@@ -14,19 +14,10 @@
 #include <memory>
 #include <vector>
 
-#include "skin_boxes.hpp"
-#include "skin_gaps.hpp"
+#include "skin_looks.hpp"
 #include "skin_motion.hpp"
-#include "skin_pair.hpp"
 
 namespace coupling::detail {
-
-/// Two parts closer than the reach of their kind.
-struct Touch {
-  PartPair pair;
-  Closest closest;
-  double ahead;  // [m] distance after another step and a half like the last one
-};
 
 /// Two groups that may touch. Lengths [m].
 struct GroupPair {
@@ -47,36 +38,28 @@ class SkinSearch {
   /// Goes on to the next level. Throws ContactError.
   void follow(const Nodes& nodes);
 
-  const std::vector<Touch>& touches() const { return touches_; }      // of the last level
-  double approach() const { return approach_; }                       // [-] as in SkinContactResult
-  const Eigen::Matrix3Xd& now() const { return paths_.now(); }        // positions at the last level
-  const Eigen::Matrix3Xd& before() const { return paths_.before(); }  // and at the one before
+  const std::vector<Touch>& touches() const { return looks_.touches; }      // of the last level
+  double approach() const { return looks_.approach; }                       // [-] as in SkinContactResult
+  const Eigen::Matrix3Xd& now() const { return looks_.paths.now(); }        // positions at the last level
+  const Eigen::Matrix3Xd& before() const { return looks_.paths.before(); }  // and at the one before
   const std::shared_ptr<const SkinParts>& parts() const { return parts_; }
-  bool first_level() const { return level_ == 1; }  // the last level was the first one
-  long looks() const { return looks_; }             // distances computed
-  long sweeps() const { return sweeps_; }           // paths tested
+  bool first_level() const { return looks_.level == 0; }  // the last level was the first one
+  long looks() const { return looks_.looks; }             // distances computed
+  long sweeps() const { return looks_.sweeps; }           // paths tested
 
  private:
-  void look_at_all();
   void mark();
   bool must_look(GroupPair& pair);
-  double least_distance(SkinBoxes& boxes, const GroupPair& pair, double near);
-  double look(const PartPair& pair);
 
   std::shared_ptr<const SkinParts> parts_;
   bool every_pair_;
-  double near_, far_;  // [m] parts whose paths come closer are looked at; farther ones need not be told apart
-  double margin_;      // [m] motion of a node before the next mark
-  long level_ = 0;     // levels so far
-  SkinBoxes paths_, boxes_at_mark_;
+  double margin_;  // [m] motion of a node before the next mark
+  SkinLooks looks_;
+  SkinBoxes boxes_at_mark_;
   SkinMotion motion_;
   std::vector<GroupPair> pairs_;  // by first and second group, ascending
   // Pairs looked at since the mark, and worked out for it: a new one is worth that many.
   std::size_t spent_ = 0, price_ = 0;
-  std::vector<NearParts> found_;
-  std::vector<Touch> touches_;
-  double approach_ = 0.0;
-  long looks_ = 0, sweeps_ = 0;
 };
 
 }  // namespace coupling::detail

@@ -25,6 +25,7 @@ TEST(SkinContactSearch, EveryPairGivesTheSameBits) {
     ASSERT_EQ(found.result.energy, each.result.energy) << n;
     ASSERT_EQ(found.result.omega_squared, each.result.omega_squared) << n;
     ASSERT_EQ(found.result.contacts, each.result.contacts) << n;
+    ASSERT_EQ(found.result.approach, each.result.approach) << n;
     ASSERT_EQ(searched.limited_nodes(), all.limited_nodes()) << n;
     most = std::max(most, found.result.contacts);
     edges = edges || found.result.closest.first[1] >= 0;
