@@ -14,6 +14,12 @@ using Eigen::Vector3d;
 // Layers closer than half of their limit are that much stiffer in addition.
 constexpr double kDeep = 20.0;
 
+// Bound of the second derivative of E, times the sum of the weights, where parts are or are about to be.
+double steepness_of(double stiffness, double limit, const Touch& touch) {
+  const bool deep = std::min(touch.ahead, touch.closest.distance) < 0.5 * limit;
+  return 2.0 * stiffness * (deep ? 1.0 + kDeep : 1.0);
+}
+
 }  // namespace
 
 void Limits::set_from_least() {
@@ -40,11 +46,10 @@ SkinMemory::SkinMemory(const SkinParts& parts)
 // Adds a repulsion of two points, the weights of which are positive in the first part, along the normal
 // (K.44).
 void SkinForces::push(const int (&node)[4], int corners, const double* weight, const Vector3d& normal,
-                      double stiffness, double limit, double distance, bool deeper) {
+                      double stiffness, double limit, double distance, double steepness) {
   const double depth = limit - distance, deep = std::max(0.0, depth - 0.5 * limit);
   result_.energy += 0.5 * stiffness * (depth * depth + kDeep * deep * deep);
   const Vector3d force = stiffness * (depth + kDeep * deep) * normal;
-  const double steepness = 2.0 * stiffness * (deeper || deep > 0.0 ? 1.0 + kDeep : 1.0);
   for (int k = 0; k < corners; ++k) {
     if (weight[k] == 0.0) continue;
     forces_.col(node[k]) += weight[k] * force;
@@ -55,7 +60,7 @@ void SkinForces::push(const int (&node)[4], int corners, const double* weight, c
 }
 
 // The same between a node and an edge or, if both are one, another node.
-void SkinForces::push(int node, int first, int second, double stiffness, double limit, bool deeper) {
+void SkinForces::push(int node, int first, int second, double stiffness, double limit, double steepness) {
   const Vector3d x = nodes_.col(node), a = nodes_.col(first), b = nodes_.col(second);
   const double t = first == second ? 0.0 : closest_on_segment(x, a, b);
   const Vector3d apart = (x - a) - t * (b - a);
@@ -63,7 +68,7 @@ void SkinForces::push(int node, int first, int second, double stiffness, double 
   if (!(distance < limit)) return;
   const double weight[] = {1.0, t - 1.0, -t};
   push({node, first, second, -1}, first == second ? 2 : 3, weight, apart / distance, stiffness, limit,
-       distance, deeper);
+       distance, steepness);
 }
 
 void SkinForces::note(const Touch& touch) {
@@ -77,28 +82,27 @@ void SkinForces::add_node(const Touch& touch) {
   const Closest& closest = touch.closest;
   const double limit = memory_.node_limits[node];
   if (!(closest.distance < limit)) return;
-  const bool deeper = touch.ahead < 0.5 * limit;  // in the next step
   note(touch);
   const Corners corners = corners_of(parts_, touch.pair);
   const double stiffness = parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)];
-  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance, deeper);
+  const double steepness = steepness_of(stiffness, limit, touch);
+  push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance, steepness);
   for (int k = 0; k < 3; ++k) {
     const int edge = parts_.triangle_edges(k, triangle), corner = corners.node[k + 1];
     if (parts_.shared_edges[static_cast<std::size_t>(edge)].owner == triangle)
       if (const int count = parts_.count_of_edge(edge, node); count != 0)
         push(node, corners.node[(k + 1) % 3 + 1], corners.node[(k + 2) % 3 + 1], count * stiffness, limit,
-             deeper);
+             count * steepness);
     if (parts_.shared_nodes[static_cast<std::size_t>(corner)].owner == triangle)
       if (const int count = parts_.count_of_node(corner, node); count != 0)
-        push(node, corner, corner, count * stiffness, limit, deeper);
+        push(node, corner, corner, count * stiffness, limit, count * steepness);
   }
 }
 
 namespace {
 
-// Share of two edges with sides u and v in (K.44): it grows with the square of their sine up to `full`, where
-// it is
-// 1. Its derivative by u is slope along_u.
+// Share of two edges with sides u and v in (K.44): it grows with the square of their sine up to 1 at `full`.
+// Its derivative by u is slope along_u.
 struct Angle {
   Angle(const Vector3d& u, const Vector3d& v, double full) {
     const double lu = u.norm(), lv = v.norm();
@@ -137,7 +141,7 @@ void SkinForces::add_edges(const Touch& touch) {
     least = squared;
     nearest = k;
   }
-  const bool deeper = touch.ahead < 0.5 * limit;  // in the next step
+  if (!(std::sqrt(least) > (1.0 + 1e-12) * closest.distance)) return;  // an end is closest
   note(touch);
   const Vector3d u = nodes_.col(n[1]) - nodes_.col(n[0]), v = nodes_.col(n[3]) - nodes_.col(n[2]);
   const Angle angle(u, v, std::min(1.0, 2.0 * parts_.parameters.thickness / parts_.mean_edge));
@@ -145,8 +149,9 @@ void SkinForces::add_edges(const Touch& touch) {
       parts_.parameters.stiffness * (parts_.edge_weight[static_cast<std::size_t>(first)] +
                                      parts_.edge_weight[static_cast<std::size_t>(second)]);
   const double energy = result_.energy;
-  push(n, 4, closest.weight.data(), closest.normal, angle.share * stiffness, limit, closest.distance, deeper);
-  push(ends[nearest][0], ends[nearest][1], ends[nearest][2], -angle.share * stiffness, limit, deeper);
+  push(n, 4, closest.weight.data(), closest.normal, angle.share * stiffness, limit, closest.distance,
+       steepness_of(angle.share * stiffness, limit, touch));
+  push(ends[nearest][0], ends[nearest][1], ends[nearest][2], -angle.share * stiffness, limit, 0.0);
   if (!(angle.slope > 0.0)) return;
   // The energy grows with the angle, too.
   const double per_share = (result_.energy - energy) / angle.share;

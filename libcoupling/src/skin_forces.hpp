@@ -51,9 +51,9 @@ class SkinForces {
  private:
   void add_node(const Touch& touch);
   void add_edges(const Touch& touch);
-  void push(int node, int first, int second, double stiffness, double limit, bool deeper);
+  void push(int node, int first, int second, double stiffness, double limit, double steepness);
   void push(const int (&node)[4], int corners, const double* weight, const Eigen::Vector3d& normal,
-            double stiffness, double limit, double distance, bool deeper);
+            double stiffness, double limit, double distance, double steepness);
   void note(const Touch& touch);
 
   const SkinSearch& search_;

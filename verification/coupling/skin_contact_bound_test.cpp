@@ -67,9 +67,9 @@ struct Shaken {
   }
 };
 
-// Above h/2, where no edges that cross bring their ends' negative terms.
+// Below h/2 the ends of edges, whose terms are negative, are left out of the bound.
 TEST(SkinContactBound, bound_covers_the_hessian_of_shaken_layers) {
-  for (const double gap : {0.9, 0.83, 0.75})
+  for (const double gap : {0.9, 0.83, 0.75, 0.55, 0.35})
     for (const double shake : {0.0, 0.05, 0.1})
       for (unsigned seed = 1; seed <= 3; ++seed) {
         const Shaken scene(gap, shake, seed);
@@ -77,7 +77,7 @@ TEST(SkinContactBound, bound_covers_the_hessian_of_shaken_layers) {
         const double exact = scene.largest_omega_squared();
         ASSERT_GT(exact, 0.0);
         EXPECT_LE(exact, bound * (1.0 + 1e-5)) << gap << ' ' << shake << ' ' << seed;
-        EXPECT_GT(exact, bound / 3.0) << gap << ' ' << shake << ' ' << seed;  // of use
+        EXPECT_GT(exact, bound / (gap > 0.7 ? 4.0 : 30.0)) << gap << ' ' << shake << ' ' << seed;  // of use
       }
 }
 

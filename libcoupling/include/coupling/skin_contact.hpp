@@ -51,7 +51,7 @@ struct SkinPair {
 /// "node 5 and element nodes 1, 2, 3" or "edges 1-2 and 5-6".
 std::string text_of(const SkinPair& pair);
 
-/// Result of one evaluation. The forces on the nodes sum to zero, and so do their moments.
+/// Result of one evaluation. The forces on the nodes sum to zero; without friction their moments do, too.
 struct SkinContactResult {
   double energy = 0.0;         // [J] including the stretch of sticking nodes
   double friction_loss = 0.0;  // [J] lost since the last level
