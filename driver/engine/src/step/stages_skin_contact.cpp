@@ -49,11 +49,18 @@ std::string told(const Scene& scene, const State& state, const coupling::GapErro
                   elements_with(mesh, error.pair().second));
   text += mesh.line.empty() ? ", from 0)" : ")";
   if (!(state.step.before > 0.0)) return text + "; pull the layers apart";
-  return text + fmt::format(
-                    " in a step of {:.3g} s; try {}: layers then come less close; a smaller {} and a larger "
-                    "membrane.self_contact.thickness help, too",
-                    state.step.before, stiffer(scene, state, error),
-                    scene.time.step ? "time.step" : "time.safety");
+  text += fmt::format(
+      " in a step of {:.3g} s; try {}: layers then come less close; a smaller {} and a larger "
+      "membrane.self_contact.thickness help, too",
+      state.step.before, stiffer(scene, state, error), scene.time.step ? "time.step" : "time.safety");
+  if (const double least = state.skin_contact_cache->smallest_limit();
+      least < 0.1 * scene.skin_contact->parameters().thickness)
+    text += fmt::format(
+        "; nodes that started as close as {:.3g} m to another layer touch within that (K.45): pull the "
+        "layers "
+        "apart, as by a larger membrane.fold.gap",
+        least);
+  return text;
 }
 
 }  // namespace
