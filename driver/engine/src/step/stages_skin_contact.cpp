@@ -57,8 +57,7 @@ std::string told(const Scene& scene, const State& state, const coupling::GapErro
       least < 0.1 * scene.skin_contact->parameters().thickness)
     text += fmt::format(
         "; nodes that started as close as {:.3g} m to another layer touch within that (K.45): pull the "
-        "layers "
-        "apart, as by a larger membrane.fold.gap",
+        "layers apart, as by a larger membrane.fold.gap",
         least);
   return text;
 }
