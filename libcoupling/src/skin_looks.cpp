@@ -13,7 +13,7 @@ constexpr double kMeet = 1e-9;  // share of the thickness: closer parts have met
 }  // namespace
 
 SkinLooks::SkinLooks(const SkinParts& parts)
-    : paths(parts), near_(2.0 * parts.parameters.thickness), far_(near_ + 2.0 * parts.mean_edge) {}
+    : paths(parts), far_(2.0 * (parts.parameters.thickness + parts.mean_edge)) {}
 
 void SkinLooks::advance(const Nodes& nodes) {
   ++level;
@@ -50,8 +50,8 @@ double SkinLooks::look(const SkinParts& parts, const PartPair& pair) {
 double SkinLooks::least_distance(const SkinParts& parts, SkinBoxes& boxes, int first, int second,
                                  double ahead) {
   // What may touch ahead tells how fast it closes.
-  const double near = &boxes == &paths ? std::max(near_, parts.parameters.thickness + ahead)
-                                       : -std::numeric_limits<double>::infinity();
+  const double near =
+      &boxes == &paths ? parts.parameters.thickness + ahead : -std::numeric_limits<double>::infinity();
   const float apart = gap(boxes.whole(parts, first), boxes.whole(parts, second));
   const double rounding = boxes.rounding();
   if (apart > std::max(near + rounding, 0.5 * far_)) return apart - rounding;

@@ -41,7 +41,7 @@ class SkinLooks {
  private:
   double look(const SkinParts& parts, const PartPair& pair);
 
-  double near_, far_;  // [m] parts whose paths come closer are looked at; farther ones need not be told apart
+  double far_;  // [m] parts that are farther apart need not be told apart
   std::vector<NearParts> found_;
 };
 
