@@ -3,37 +3,11 @@
 
 #include <algorithm>
 #include <limits>
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
+
+#include "skin_lanes.hpp"
 
 namespace coupling::detail {
 namespace {
-
-// Four floats. min and max are single instructions, which gcc does not find.
-using Four = float __attribute__((vector_size(16)));
-typedef float UnalignedFour __attribute__((vector_size(16), aligned(4), may_alias));
-
-Four load(const float* p) {
-  return *reinterpret_cast<const UnalignedFour*>(p);
-}
-Four larger(Four a, Four b) {
-#if defined(__SSE__)
-  return _mm_max_ps(a, b);
-#else
-  return a < b ? b : a;
-#endif
-}
-Four smaller(Four a, Four b) {
-#if defined(__SSE__)
-  return _mm_min_ps(a, b);
-#else
-  return b < a ? b : a;
-#endif
-}
-float least_of(Four a) {
-  return std::min(std::min(a[0], a[1]), std::min(a[2], a[3]));
-}
 
 // Infinite where a bit of four is not set, else as low as can be.
 constexpr auto kExcluded = [] {
@@ -62,7 +36,7 @@ std::array<float, 3 * ElementGroups::kSize> gaps_to(const PartBoxes& parts, cons
     for (std::size_t d = 0; d < 3; ++d)
       gap = larger(gap, larger(load(parts.low.data() + d * parts.stride + i) - box.high[d],
                                box.low[d] - load(parts.high.data() + d * parts.stride + i)));
-    *reinterpret_cast<UnalignedFour*>(gaps.data() + i) = gap;
+    store(gaps.data() + i, gap);
   }
   return gaps;
 }

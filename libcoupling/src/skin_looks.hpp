@@ -3,8 +3,6 @@
 #pragma once
 #include <vector>
 
-#include "skin_boxes.hpp"
-#include "skin_gaps.hpp"
 #include "skin_pair.hpp"
 
 namespace coupling::detail {
@@ -20,29 +18,20 @@ struct Touch {
 inline constexpr double kAhead = 1.5;
 
 /// The looks of one run.
-class SkinLooks {
- public:
-  explicit SkinLooks(const SkinParts& parts);
-
+struct SkinLooks {
   /// Goes on to the next level, without touches.
-  void advance(const Nodes& nodes);
-  /// A lower bound of the distance [m] of the parts of two groups, in these boxes. If they are the paths of
-  /// the last step, it looks at all parts that may touch after a motion by `ahead` [m].
-  double least_distance(const SkinParts& parts, SkinBoxes& boxes, int first, int second, double ahead);
-  /// Looks at each pair of parts that are no neighbours, in the same order.
-  void look_at_all(const SkinParts& parts);
+  void advance();
+  /// Looks at a pair of parts on their way from `before` to `now` (3 x N) [m], at `most` [m] relative to each
+  /// other. Returns their distance [m].
+  double look(const SkinParts& parts, const PartPair& pair, double most, const Nodes& before,
+              const Nodes& now);
+  /// Looks at each pair of parts that are no neighbours, in the order of the search.
+  void look_at_all(const SkinParts& parts, const Nodes& before, const Nodes& now);
 
-  SkinBoxes paths;             // to the last level from the one before
   std::vector<Touch> touches;  // of the last level
   double approach = 0.0;       // [-] as in SkinContactResult
   long level = -1;             // the last one
   long looks = 0, sweeps = 0;  // distances computed, paths tested
-
- private:
-  double look(const SkinParts& parts, const PartPair& pair);
-
-  double far_;  // [m] parts that are farther apart need not be told apart
-  std::vector<NearParts> found_;
 };
 
 }  // namespace coupling::detail

@@ -5,73 +5,73 @@
 #include <cmath>
 
 #include "coupling/error.hpp"
+#include "skin_lanes.hpp"
 
 namespace coupling::detail {
-namespace {
 
-using Eigen::Vector3d;
-
-constexpr double kMargin = 1.0 + 1e-12;  // for rounding
-
-}  // namespace
-
-SkinMotion::SkinMotion(const ElementGroups& groups)
+SkinMotion::SkinMotion(const ElementGroups& groups, double ahead)
     : groups_(&groups),
-      marked_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(groups.nodes.size()))),
-      shift_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(groups.count()))),
-      spread_(groups.count(), 0.0),
-      step_(groups.count(), 0.0) {}
+      ahead_(static_cast<float>(ahead)),
+      paths_(groups.count(), 0.0),
+      steps_(groups.count(), 0.0F) {}
 
-void SkinMotion::update(const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before) {
-  double sum = 0.0;
-  for (std::size_t g = 0; g < groups_->count(); ++g) {
-    const std::size_t begin = groups_->first_node[g], end = groups_->first_node[g + 1];
-    Vector3d mean = Vector3d::Zero();
-    double step = 0.0, spread = 0.0;
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto x = now.col(groups_->nodes[k]);
-      mean += x - marked_.col(static_cast<Eigen::Index>(k));
-      step = std::max(step, (x - before.col(groups_->nodes[k])).squaredNorm());
-    }
-    mean /= static_cast<double>(end - begin);
-    for (std::size_t k = begin; k < end; ++k)
-      spread = std::max(
-          spread,
-          (now.col(groups_->nodes[k]) - marked_.col(static_cast<Eigen::Index>(k)) - mean).squaredNorm());
-    shift_.col(static_cast<Eigen::Index>(g)) = mean;
-    spread_[g] = kMargin * std::sqrt(spread);
-    step_[g] = kMargin * std::sqrt(step);
-    sum += mean.sum();
+void SkinMotion::advance(const Nodes& nodes) {
+  const bool first = now_.cols() == 0;
+  if (first) {
+    const auto count = static_cast<std::size_t>(nodes.cols());
+    origin_ = nodes.col(groups_->nodes.front());
+    points_now_.resize(count);
+    points_before_.resize(count);
+    path_boxes_.resize(count);
+    node_steps_.resize(count);
+  }
+  now_.swap(before_);
+  now_ = nodes;
+  points_now_.swap(points_before_);
+  double sum = 0.0, largest = 0.0;
+  for (std::size_t n = 0; n < points_now_.size(); ++n) {
+    const Eigen::Vector3d x = now_.col(static_cast<Eigen::Index>(n)) - origin_;
+    sum += x[0] + x[1] + x[2];
+    largest = std::max({largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+    points_now_[n] = along_directions(x);
   }
   // A maximum ignores NaN, a sum does not.
   if (!std::isfinite(sum)) throw ContactError("self-contact: a coordinate of a node is not finite");
+  rounding_ = std::max(rounding_, 4e-6F * static_cast<float>(largest));
+  if (first) {
+    before_ = now_;
+    points_before_ = points_now_;
+  }
+  step();
 }
 
-void SkinMotion::mark(const Eigen::Matrix3Xd& now) {
-  for (std::size_t k = 0; k < groups_->nodes.size(); ++k)
-    marked_.col(static_cast<Eigen::Index>(k)) = now.col(groups_->nodes[k]);
-  shift_.setZero();
-  std::ranges::fill(spread_, 0.0);
-}
-
-double SkinMotion::moved() const {
-  double most = 0.0;
-  for (std::size_t g = 0; g < spread_.size(); ++g)
-    most = std::max(most, kMargin * shift_.col(static_cast<Eigen::Index>(g)).norm() + spread_[g]);
-  return most;
-}
-
-double SkinMotion::since_mark(int first, int second) const {
-  return kMargin * (shift_.col(first) - shift_.col(second)).norm() +
-         spread_[static_cast<std::size_t>(first)] + spread_[static_cast<std::size_t>(second)];
-}
-
-double SkinMotion::step(int first, int second) const {
-  return step_[static_cast<std::size_t>(first)] + step_[static_cast<std::size_t>(second)];
-}
-
-double SkinMotion::largest_step() const {
-  return *std::ranges::max_element(step_);
+void SkinMotion::step() {
+  Four total{};
+  for (std::size_t n = 0; n < points_now_.size(); ++n) {
+    Box& box = path_boxes_[n];
+    for (std::size_t k = 0; k < 8; k += 4) {
+      const Four now = load(points_now_[n].data() + k), before = load(points_before_[n].data() + k);
+      const Four ahead = now + ahead_ * (now - before);
+      store(box.low.data() + k, smaller(before, ahead));
+      store(box.high.data() + k, larger(before, ahead));
+      if (k == 0) total += now - before;
+    }
+  }
+  const Four mean = total / static_cast<float>(points_now_.size());
+  for (std::size_t n = 0; n < points_now_.size(); ++n) {
+    const Four step = load(points_now_[n].data()) - load(points_before_[n].data()) - mean;
+    const Four square = step * step;
+    node_steps_[n] = square[0] + square[1] + square[2];
+  }
+  largest_step_ = 0.0F;
+  for (std::size_t g = 0; g < groups_->count(); ++g) {
+    float most = 0.0F;
+    for (std::size_t k = groups_->first_node[g]; k < groups_->first_node[g + 1]; ++k)
+      most = std::max(most, node_steps_[static_cast<std::size_t>(groups_->nodes[k])]);
+    steps_[g] = (1.0F + 1e-6F) * std::sqrt(most) + rounding_;
+    paths_[g] += steps_[g];
+    largest_step_ = std::max(largest_step_, steps_[g]);
+  }
 }
 
 }  // namespace coupling::detail

@@ -2,8 +2,6 @@
 #include "skin_search.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace coupling::detail {
@@ -11,74 +9,82 @@ namespace coupling::detail {
 SkinSearch::SkinSearch(std::shared_ptr<const SkinParts> parts, bool every_pair)
     : parts_(std::move(parts)),
       every_pair_(every_pair),
-      margin_(parts_->mean_edge),
-      looks_(*parts_),
-      boxes_at_mark_(*parts_),
-      motion_(parts_->groups) {}
+      margin_(static_cast<float>(parts_->mean_edge)),
+      motion_(parts_->groups, kAhead),
+      boxes_(parts_),
+      awake_(parts_->groups.count(), 0.0) {}
 
-void SkinSearch::mark() {
-  std::vector<Box> boxes;
-  for (std::size_t g = 0; g < parts_->groups.count(); ++g)
-    boxes.push_back(looks_.paths.whole(*parts_, static_cast<int>(g)));
-  const double reach = 2.0 * (parts_->parameters.thickness + margin_) + looks_.paths.rounding();
-  std::vector<GroupPair> old;
-  old.swap(pairs_);
+void SkinSearch::pair_groups() {
+  const ElementGroups& groups = parts_->groups;
+  std::vector<Box> boxes(groups.count(), empty_box());
+  for (std::size_t g = 0; g < groups.count(); ++g)
+    for (std::size_t k = groups.first_node[g]; k < groups.first_node[g + 1]; ++k)
+      add(boxes[g], motion_.path_box(groups.nodes[k]));
+  const float reach =
+      2.0F * (static_cast<float>(parts_->parameters.thickness) + margin_) + motion_.rounding();
+  const std::vector<GroupPair> old = std::exchange(pairs_, {});
   auto last = old.begin();
-  for (const auto& [first, second] : near_boxes(boxes, static_cast<float>(reach))) {
-    GroupPair pair{first, second};
-    while (last != old.end() && std::pair(last->first, last->second) < std::pair(first, second)) ++last;
-    if (last != old.end() && last->first == first && last->second == second) {
-      pair = *last;
-      const double since = motion_.since_mark(first, second);
-      pair.rests = pair.rests && since < pair.slack;
-      pair.slack -= since;
-      pair.fresh = false;
-    }
-    pairs_.push_back(pair);
+  const auto numbers = [](const GroupPair& pair) { return std::pair(pair.first, pair.second); };
+  for (const auto& [first, second] : near_boxes(boxes, reach)) {
+    const std::pair both(first, second);
+    while (last != old.end() && numbers(*last) < both) ++last;
+    if (last != old.end() && numbers(*last) == both)
+      pairs_.push_back(*last);
+    else
+      pairs_.push_back({first, second, parts_->masks.of(first, second), 0.0});
   }
-  motion_.mark(now());
-  boxes_at_mark_.stay(now());
-  spent_ = 0;
-  price_ = boxes.size() / 2;
+  moved_ = 0.0F;
 }
 
-bool SkinSearch::must_look(GroupPair& pair) {
-  const double since = motion_.since_mark(pair.first, pair.second);
-  const double ahead = kAhead * motion_.step(pair.first, pair.second);
-  const bool rested = std::exchange(pair.rests, since + ahead < pair.slack);
-  if (rested && pair.rests) return false;
-  if (pair.level == looks_.level - 1) {
-    pair.path += motion_.step(pair.first, pair.second);
-    pair.level = looks_.level;
-    if (pair.path + ahead < pair.room) return false;
-  }
-  if (pair.fresh) return true;
-  pair.fresh = true;
-  ++price_;
-  pair.slack =
-      std::max(pair.slack, looks_.least_distance(*parts_, boxes_at_mark_, pair.first, pair.second, 0.0) -
-                               parts_->parameters.thickness);
-  pair.rests = since + ahead < pair.slack;
-  return !(rested && pair.rests);
+// A lower bound of the distance [m] of the parts of two groups. Looks at all that may touch ahead.
+double SkinSearch::least_distance(const GroupPair& pair) {
+  const GroupBoxes &a = boxes_.of(pair.first, motion_), &b = boxes_.of(pair.second, motion_);
+  const auto near_of = [&](bool edges) {
+    return static_cast<float>(parts_->reach_of(edges)) + motion_.rounding();
+  };
+  // What is farther apart than that need not be known: nearer parts are found sooner.
+  double least = std::max(near_of(false), 1.2F * margin_);
+  if (const float apart = gap(a.whole, b.whole); apart > least) return apart - motion_.rounding();
+  const double most = motion_.step(pair.first) + motion_.step(pair.second);
+  const std::uint64_t* mask = pair.mask;
+  const auto search = [&](bool edges, const PartBoxes& rows, const PartBoxes& lanes, const Box& whole,
+                          auto&& pair_of) {
+    found_.clear();
+    least = std::min<double>(
+        least, least_gap({rows, lanes, whole, mask}, near_of(edges), static_cast<float>(least), found_));
+    for (const auto [row, lane] : found_)
+      least = std::min(least, looks_.look(*parts_, pair_of(row, lane), most, before(), now()));
+    if (mask) mask += rows.count;
+  };
+  const auto search_nodes = [&](const GroupBoxes& nodes, int of_nodes, const GroupBoxes& elements,
+                                int of_elements) {
+    search(false, elements.elements, nodes.nodes, nodes.whole, [&](std::size_t row, std::size_t lane) {
+      return PartPair{parts_->group_nodes[of_nodes][lane], parts_->group_elements(of_elements)[row], false};
+    });
+  };
+  search_nodes(a, pair.first, b, pair.second);
+  if (pair.first != pair.second) search_nodes(b, pair.second, a, pair.first);
+  search(true, a.edges, b.edges, b.whole, [&](std::size_t row, std::size_t lane) {
+    return PartPair{parts_->group_edges[pair.first][row], parts_->group_edges[pair.second][lane], true};
+  });
+  return least - motion_.rounding();
 }
 
 void SkinSearch::follow(const Nodes& nodes) {
-  looks_.advance(nodes);
-  motion_.update(now(), before());
-  if (every_pair_) {
-    looks_.look_at_all(*parts_);
-  } else {
-    if (looks_.level == 0 || motion_.moved() + kAhead * motion_.largest_step() > margin_ || spent_ > price_)
-      mark();
-    for (GroupPair& pair : pairs_) {
-      if (!must_look(pair)) continue;
-      ++spent_;
-      const double ahead = kAhead * motion_.step(pair.first, pair.second);
-      pair.room = looks_.least_distance(*parts_, looks_.paths, pair.first, pair.second, ahead) -
-                  parts_->parameters.thickness;
-      pair.path = 0.0;
-      pair.level = looks_.level;
-    }
+  looks_.advance();
+  motion_.advance(nodes);
+  if (every_pair_) return looks_.look_at_all(*parts_, before(), now());
+  const auto ahead_of = [](float step) { return static_cast<float>(kAhead) * step; };
+  moved_ += motion_.largest_step();
+  if (looks_.level == 0 || moved_ + ahead_of(motion_.largest_step()) > margin_) pair_groups();
+  boxes_.forget();
+  for (int g = 0; g < static_cast<int>(awake_.size()); ++g)
+    awake_[static_cast<std::size_t>(g)] = motion_.path(g) + ahead_of(motion_.step(g));
+  for (GroupPair& pair : pairs_) {
+    const auto a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
+    if (awake_[a] + awake_[b] < pair.wakes) continue;
+    pair.wakes = motion_.path(pair.first) + motion_.path(pair.second) + least_distance(pair) -
+                 parts_->parameters.thickness;
   }
 }
 

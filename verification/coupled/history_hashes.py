@@ -6,7 +6,7 @@ comments, with history_hashes.tsv.
 A case has one hash, whatever the compiler and the processor are. So each program runs each case twice, the second time with
 those functions of glibc that are for processors without AVX2 and FMA.
 usage: history_hashes.py [--write] [--without REGEX] GASJET...
-  --write          writes the table, from the first program's runs
+  --write          writes the rows of these cases, from the first program's runs
   --without REGEX  leaves out the cases whose names match"""
 import argparse
 import concurrent.futures
@@ -57,11 +57,12 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(lambda run: hashes_of(*run), runs))
     faults = [f"{case}: {result}" for (_, case, _), result in zip(runs, results) if isinstance(result, str)]
-    if arguments.write and not faults:
-        rows = ["\t".join((case, *result)) for (_, case, _), result in zip(runs[:len(cases)], results)]
-        TABLE.write_text("\n".join([HEAD, "case\thistory.csv\tenergy.csv", *rows]) + "\n")
     table = [line.split("\t") for line in TABLE.read_text().splitlines()[2:]]
     expected = {case: tuple(hashes) for case, *hashes in table}
+    if arguments.write and not faults:
+        expected.update({case: result for (_, case, _), result in zip(runs[:len(cases)], results)})
+        rows = ["\t".join((case, *hashes)) for case, hashes in sorted(expected.items())]
+        TABLE.write_text("\n".join([HEAD, "case\thistory.csv\tenergy.csv", *rows]) + "\n")
     for (program, case, variables), result in zip(runs, results):
         if not isinstance(result, str) and result != expected.get(case):
             faults.append(f"{case}: {program}, {'old' if variables else 'this'} processor: other bits than in {TABLE.name}")

@@ -59,7 +59,8 @@ struct SkinContactResult {
   int contacts = 0;            // pairs closer than their limit
   SkinPair closest;            // of those in contact
   /// [-] Largest decrease of a distance since the last level over the reach (h; of edges 0.8 h), of parts
-  /// that touch or would after one and a half such steps. The time step keeps it small (K.47).
+  /// whose closest points come within the reach in one and a half such steps. The time step keeps it small
+  /// (K.47).
   double approach = 0.0;
 };
 
