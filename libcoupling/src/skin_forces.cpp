@@ -131,9 +131,12 @@ void SkinForces::add_edges(const Touch& touch) {
   const Corners corners = corners_of(parts_, touch.pair);
   const auto& n = corners.node;
   const int ends[4][3] = {{n[0], n[2], n[3]}, {n[1], n[2], n[3]}, {n[2], n[0], n[1]}, {n[3], n[0], n[1]}};
-  int nearest = 0;
+  int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 4; ++k) {
+    // An end that touches no triangle at the other edge, as all are its neighbours, pushes like the rest of
+    // its edge. Else the force would begin as a jump where the closest point leaves that end.
+    if (parts_.count_of_edge(k < 2 ? second : first, ends[k][0]) > 0) continue;
     const Vector3d x = nodes_.col(ends[k][0]), a = nodes_.col(ends[k][1]), b = nodes_.col(ends[k][2]);
     const double t = closest_on_segment(x, a, b);
     const double squared = (x - a - t * (b - a)).squaredNorm();
@@ -151,7 +154,8 @@ void SkinForces::add_edges(const Touch& touch) {
   const double energy = result_.energy;
   push(n, 4, closest.weight.data(), closest.normal, angle.share * stiffness, limit, closest.distance,
        steepness_of(angle.share * stiffness, limit, touch));
-  push(ends[nearest][0], ends[nearest][1], ends[nearest][2], -angle.share * stiffness, limit, 0.0);
+  if (nearest >= 0)
+    push(ends[nearest][0], ends[nearest][1], ends[nearest][2], -angle.share * stiffness, limit, 0.0);
   if (!(angle.slope > 0.0)) return;
   // The energy grows with the angle, too.
   const double per_share = (result_.energy - energy) / angle.share;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "claim.hpp"
 #include "skin_scenes.hpp"
 
 namespace {
@@ -118,6 +119,72 @@ TEST(SkinContactForce, LayersThatStartCloseStartAtRestAndTheirLimitGrows) {
   EXPECT_EQ(force_at(1.2), 0.0);
   EXPECT_EQ(state.limited_nodes(), 0);
   EXPECT_NEAR(force_at(0.9), 0.1, 1e-12);
+}
+
+// A node 3 that is a neighbour of the element at an edge 0-1, where its own edges 3-4 and 3-5 touch that one.
+struct Corner {
+  scenes::Skin skin;
+  coupling::SkinContactModel model;
+  coupling::SkinContactState state;
+
+  Corner()
+      : skin(flat()),
+        model(scenes::skin_contact(skin, kThickness, kSkinStiffness)),
+        state(model.make_state()) {
+    level(3.0);
+  }
+  static scenes::Skin flat() {
+    scenes::Skin skin;
+    skin.nodes.resize(3, 6);
+    skin.nodes << 0.0, 0.04, 0.02, 0.06, 0.08, 0.06, 0.0, 0.0, 0.03, 0.06, 0.08, 0.09, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0;
+    skin.triangles.resize(3, 3);
+    skin.triangles << 0, 2, 3, 1, 3, 4, 2, 5, 5;
+    scenes::lump_masses(skin, scenes::kDensity);
+    return skin;
+  }
+  // Node 3 at y [h] in front of the edge, 0.2 h above it.
+  Matrix3Xd at(double y) const {
+    Matrix3Xd nodes(3, 6);
+    nodes << -0.02, 0.02, 0.0, 0.0, -0.005, 0.005, 0.0, 0.0, -0.03, 0.0, 0.03, 0.03, 0.0, 0.0, -0.03, 0.002,
+        0.012, 0.022;
+    nodes.rightCols(3).row(1).array() += y * kThickness;
+    return nodes;
+  }
+  scenes::SkinLevel level(double y) { return scenes::level_of(model, state, at(y)); }
+  double area_of(int element) const {
+    const Vector3d a = skin.nodes.col(skin.triangles(0, element)),
+                   b = skin.nodes.col(skin.triangles(1, element)),
+                   c = skin.nodes.col(skin.triangles(2, element));
+    return 0.5 * (b - a).cross(c - a).norm();
+  }
+};
+
+// The node itself touches nothing there. Else the edges would begin to push where it passes.
+TEST(SkinContactForce, EdgesPushFromTheirReachOnWhereTheirEndsAreNeighbours) {
+  Corner corner;
+  const double areas = 0.5 * (2.0 * corner.area_of(0) + 2.0 * corner.area_of(2) + corner.area_of(1));
+  for (const double y : {0.9, 0.6, 0.3, 0.1, 1e-9, -1e-9}) {
+    const auto level = corner.level(y);
+    const double gap = std::hypot(std::max(y, 0.0), 0.2), first = std::max(0.0, 0.8 - gap),
+                 second = std::max(0.0, 0.4 - gap);
+    claim::expect_near(
+        {"K.44", "edges whose common end comes to an edge of its neighbour: energy of kappa a h2",
+         "rounding; 1e-9 h past the end"},
+        level.result.energy / (areas * kSkinStiffness * kThickness * kThickness),
+        0.5 * (first * first + 20.0 * second * second), 1e-7);
+  }
+  for (const double y : {0.3, -0.3}) {
+    coupling::SkinContactState from = corner.state;
+    const double force = scenes::level_of(corner.model, from, corner.at(y)).forces.rightCols(3).row(1).sum();
+    double energy[2];
+    for (const int side : {0, 1}) {
+      from = corner.state;
+      energy[side] =
+          scenes::level_of(corner.model, from, corner.at(y + (side == 0 ? -1e-6 : 1e-6))).result.energy;
+    }
+    EXPECT_NEAR((energy[0] - energy[1]) / (2e-6 * kThickness), force, 1e-5 * std::abs(force));
+  }
 }
 
 }  // namespace

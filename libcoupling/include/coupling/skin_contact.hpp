@@ -5,10 +5,11 @@
 //          phi(h, d) = [(h - d)^2 + 20 (h/2 - d)^2] / 2
 // where squares of a negative number are zero: what meets hard is stopped in the second half. d is the
 // distance of the closest points: of a node n and a triangle, edge or node f, and of two edges; d_end is the
-// least distance of an end of one edge from the other. A_n is a third of the reference area around n, a half
-// of the areas of all triangles at the two edges. The numbers c_f are +1 for triangles, -1 for inner edges
-// and +1 for inner nodes, so that a node near several triangles of one layer counts it once, and two flat
-// layers feel the pressure kappa (h - d) down to 0.8 h. Edges keep creases from crossing.
+// least distance of an end of one edge from the other, of ends that touch a triangle there as nodes. A_n is
+// a third of the reference area around n, a half of the areas of all triangles at the two edges. The numbers
+// c_f are +1 for triangles, -1 for inner edges and +1 for inner nodes, so that a node near several triangles
+// of one layer counts it once, and two flat layers feel the pressure kappa (h - d) down to 0.8 h. Edges keep
+// creases from crossing.
 //
 // Parts that have a common node, or nodes that an edge joins, are neighbours and do not touch: a crease has
 // no thickness.
