@@ -20,6 +20,12 @@ double steepness_of(double stiffness, double limit, const Touch& touch) {
   return 2.0 * stiffness * (deep ? 1.0 + kDeep : 1.0);
 }
 
+// Of an element in a node's contact: two elements have a point on an edge in common, six or so a corner.
+double share_of(const Closest& closest) {
+  constexpr double shares[] = {1.0, 1.0 / 2.0, 1.0 / 6.0};
+  return shares[(closest.weight.tail<3>().array() == 0.0).count()];
+}
+
 }  // namespace
 
 void Limits::set_from_least() {
@@ -50,12 +56,17 @@ void SkinForces::push(const int (&node)[4], int corners, const double* weight, c
   const double depth = limit - distance, deep = std::max(0.0, depth - 0.5 * limit);
   result_.energy += 0.5 * stiffness * (depth * depth + kDeep * deep * deep);
   const Vector3d force = stiffness * (depth + kDeep * deep) * normal;
+  for (int k = 0; k < corners; ++k) forces_.col(node[k]) += weight[k] * force;
+  stiffen(node, corners, weight, steepness);
+}
+
+// The weights of each part sum to 1.
+void SkinForces::stiffen(const int (&node)[4], int corners, const double* weight, double steepness) {
   for (int k = 0; k < corners; ++k) {
     if (weight[k] == 0.0) continue;
-    forces_.col(node[k]) += weight[k] * force;
     double& sum = memory_.stiffness[static_cast<std::size_t>(node[k])];
     if (sum == 0.0) memory_.loaded.push_back(node[k]);
-    sum += steepness * std::abs(weight[k]);  // the weights of each part sum to 1
+    sum += steepness * std::abs(weight[k]);
   }
 }
 
@@ -77,14 +88,27 @@ void SkinForces::note(const Touch& touch) {
   result_.closest = named(parts_, touch.pair, touch.closest.distance);
 }
 
+// Where the force of a node begins or ends, and where its second half does (K.48).
+void SkinForces::add_kinks(const Touch& touch, double stiffness, double limit) {
+  const double now = touch.closest.distance, change = (now - touch.ahead) / kAhead;
+  const auto crosses = [&](double place) { return (now < place) != (touch.ahead < place); };
+  const double jump = (crosses(limit) ? 1.0 : 0.0) + (crosses(0.5 * limit) ? kDeep : 0.0);
+  if (jump == 0.0) return;
+  result_.kink_energy += share_of(touch.closest) * jump * stiffness * change * change;
+}
+
 void SkinForces::add_node(const Touch& touch) {
   const auto [node, triangle, edges] = touch.pair;
   const Closest& closest = touch.closest;
   const double limit = memory_.node_limits[node];
+  const double stiffness = parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)];
+  add_kinks(touch, stiffness, limit);
+  const Corners corners = corners_of(parts_, touch.pair);
+  // What starts at its limit may touch in the first step.
+  if (search_.first_level())
+    stiffen(corners.node, 4, closest.weight.data(), 2.0 * stiffness);
   if (!(closest.distance < limit)) return;
   note(touch);
-  const Corners corners = corners_of(parts_, touch.pair);
-  const double stiffness = parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)];
   const double steepness = steepness_of(stiffness, limit, touch);
   push(corners.node, 4, closest.weight.data(), closest.normal, stiffness, limit, closest.distance, steepness);
   for (int k = 0; k < 3; ++k) {
@@ -169,6 +193,7 @@ void SkinForces::add_edges(const Touch& touch) {
 
 void SkinForces::add() {
   for (const Touch& touch : search_.touches()) {
+    if (!(touch.closest.distance < parts_.reach_of(touch.pair.edges))) continue;
     if (touch.pair.edges) {
       const double limit = SkinParts::kEdgeShare * touch.closest.distance;
       memory_.edge_limits.tell(touch.pair.first, limit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces, energy and stiffness of the parts of a skin that touch (K.44 to K.46).
+// Forces, energy and stiffness of the parts of a skin that touch (K.44 to K.46, K.48).
 #pragma once
 #include <vector>
 
@@ -54,6 +54,8 @@ class SkinForces {
   void push(int node, int first, int second, double stiffness, double limit, double steepness);
   void push(const int (&node)[4], int corners, const double* weight, const Eigen::Vector3d& normal,
             double stiffness, double limit, double distance, double steepness);
+  void stiffen(const int (&node)[4], int corners, const double* weight, double steepness);
+  void add_kinks(const Touch& touch, double stiffness, double limit);
   void note(const Touch& touch);
 
   const SkinSearch& search_;

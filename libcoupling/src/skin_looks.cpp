@@ -8,7 +8,8 @@
 namespace coupling::detail {
 namespace {
 
-constexpr double kMeet = 1e-9;  // share of the thickness: closer parts have met
+constexpr double kMeet = 1e-9;         // share of the thickness: closer parts have met
+constexpr double kStart = 1.0 + 1e-6;  // of the reach: parts that start a rounding apart from it start at it
 
 }  // namespace
 
@@ -27,7 +28,7 @@ double SkinLooks::look(const SkinParts& parts, const PartPair& pair, double most
   ++looks;
   if (!(closest.distance > meet)) throw_gap(parts, pair, 0.0);
   if (level == 0) {
-    if (closest.distance < reach) touches.push_back({pair, closest, closest.distance});
+    if (closest.distance < kStart * reach) touches.push_back({pair, closest, closest.distance});
     return closest.distance;
   }
   const Quad y = positions(corners, before);
@@ -38,12 +39,15 @@ double SkinLooks::look(const SkinParts& parts, const PartPair& pair, double most
   // Of the closest points, as they move on.
   const Eigen::Vector3d step = (x - y) * closest.weight;
   const double closing = -closest.normal.dot(step), ahead = closest.distance - kAhead * closing;
+  bool touch = closest.distance < reach;
   if (closing > 0.0 && ahead < reach) {
     const double nearest = std::min(kAhead, closest.distance * closing / step.squaredNorm());
-    if ((closest.distance * closest.normal + nearest * step).norm() < reach)
+    if ((closest.distance * closest.normal + nearest * step).norm() < reach) {
+      touch = true;
       approach = std::max(approach, closing / reach);
+    }
   }
-  if (closest.distance < reach) touches.push_back({pair, closest, ahead});
+  if (touch) touches.push_back({pair, closest, ahead});
   return closest.distance;
 }
 

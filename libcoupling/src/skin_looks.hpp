@@ -7,7 +7,7 @@
 
 namespace coupling::detail {
 
-/// Two parts closer than the reach of their kind.
+/// Two parts closer than the reach of their kind, now or ahead.
 struct Touch {
   PartPair pair;
   Closest closest;
@@ -28,7 +28,7 @@ struct SkinLooks {
   /// Looks at each pair of parts that are no neighbours, in the order of the search.
   void look_at_all(const SkinParts& parts, const Nodes& before, const Nodes& now);
 
-  std::vector<Touch> touches;  // of the last level
+  std::vector<Touch> touches;  // of the last level, and those ahead
   double approach = 0.0;       // [-] as in SkinContactResult
   long level = -1;             // the last one
   long looks = 0, sweeps = 0;  // distances computed, paths tested

@@ -105,4 +105,46 @@ TEST(SkinContactBound, layer_that_touches_on_both_sides_takes_the_full_bound) {
   EXPECT_DOUBLE_EQ(coupling::default_skin_stiffness(20.0, 3e9, kDensity), 20.0 * 3e9 * kDensity / 4.0);
 }
 
+// A small plate over the inside of an element, so that each of its nodes touches that one alone.
+TEST(SkinContactBound, KinksAreNodesThatBeginOrCeaseToTouchAndTheirSecondHalf) {
+  constexpr double side = 0.03;
+  scenes::Skin small = scenes::plate(1, side);
+  small.nodes.colwise() += Vector3d(0.08, -0.05, 0.0);
+  const scenes::Skin skin = scenes::joined(scenes::plate(1, 0.4), small);
+  const auto model = scenes::skin_contact(skin, kThickness, kSkinStiffness);
+  auto state = model.make_state();
+  Matrix3Xd nodes = skin.nodes;
+  double before = 1.5;  // [h]
+  const double gaps[] = {1.5, 1.2, 1.19, 0.9, 0.89, 0.98, 1.01}, jumps[] = {0, 1, 0, 20, 0, 1, 0};
+  for (std::size_t k = 0; k < std::size(gaps); ++k) {
+    const double gap = gaps[k];  // [h]
+    nodes.rightCols(4).row(2).setConstant(gap * kThickness);
+    const double closing = (gap - before) * kThickness;
+    const auto result = scenes::level_of(model, state, nodes).result;
+    claim::expect_near({"K.48", "small plate over an element: kink energy, of kappa A_n/2 per node and h2",
+                        "rounding of some ten additions"},
+                       result.kink_energy / (kSkinStiffness * 0.5 * side * side * kThickness * kThickness),
+                       jumps[k] * closing * closing / (kThickness * kThickness), 1e-12);
+    before = gap;
+  }
+}
+
+TEST(SkinContactBound, NodesThatStartAtTheirLimitCountInTheFirstStep) {
+  for (const double gap : {0.7, 1.0, 1.1}) {
+    const scenes::Skin skin = scenes::two_plates(3, 4, 0.15, gap * kThickness);
+    const auto model = scenes::skin_contact(skin, kThickness, kSkinStiffness);
+    auto state = model.make_state();
+    const double start = scenes::level_of(model, state, skin.nodes).result.omega_squared;
+    if (gap > 1.0) {
+      EXPECT_EQ(start, 0.0);
+      continue;
+    }
+    Matrix3Xd nodes = skin.nodes;
+    nodes.rightCols(25).row(2).array() -= 1e-6 * kThickness;
+    const double touching = scenes::level_of(model, state, nodes).result.omega_squared;
+    EXPECT_GE(start, (1.0 - 1e-12) * touching) << gap;
+    EXPECT_LE(start, 8.0 * touching) << gap << ": up to eight elements have a corner in common";
+  }
+}
+
 }  // namespace

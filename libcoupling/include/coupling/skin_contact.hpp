@@ -56,13 +56,18 @@ std::string text_of(const SkinPair& pair);
 struct SkinContactResult {
   double energy = 0.0;         // [J] including the stretch of sticking nodes
   double friction_loss = 0.0;  // [J] lost since the last level
-  double omega_squared = 0.0;  // [1/s2] upper bound of the contact's omega^2 (K.46)
+  /// [1/s2] Bound of the contact's omega^2 (K.46); at the first level, of all nodes that start at their limit.
+  double omega_squared = 0.0;
   int contacts = 0;            // pairs closer than their limit
   SkinPair closest;            // of those in contact
   /// [-] Largest decrease of a distance since the last level over the reach (h; of edges 0.8 h), of parts
   /// whose closest points come within the reach in one and a half such steps. The time step keeps it small
   /// (K.47).
   double approach = 0.0;
+  /// [J] Sum over the nodes whose force begins, ends or changes its slope within one and a half steps like
+  /// the last: the jump of the stiffness times the square of the change of the distance since the last level.
+  /// The time step keeps an eighth of it small, which is the error of the energy (K.48).
+  double kink_energy = 0.0;
 };
 
 /// Layers met: a gap reached 0. A stiffer contact or a shorter step prevents that.

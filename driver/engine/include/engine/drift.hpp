@@ -17,6 +17,9 @@ double energy_drift(const State& state);
 /// Step that bounds the drift (M.22), (M.24) [s]; without gas (M.24) alone. Writes nothing.
 double drift_limit(const Scene& scene, const State& state);
 
+/// Step that bounds the drift by layers of the skin that begin or cease to touch (K.48) [s].
+double kink_limit(const Scene& scene, const State& state);
+
 /// Energy of a skin below which its drift says nothing [J]; 0 without a skin.
 double smallest_energy(const Scene& scene);
 

@@ -196,7 +196,7 @@ struct StepSizes {
   int deformed_element = -1;  // that element, or the last one that made a step shorter
   /// [s] Limit by layers of the skin that touch, which grows slowly (K.47).
   double touching = std::numeric_limits<double>::infinity();
-  long approach_limited = 0;             // number of steps that layers of the skin made shorter (K.47)
+  long approach_limited = 0;             // number of steps that layers of the skin made shorter (K.47, K.48)
   double approach = 0.0;                 // [-] largest share of the thickness closed in a given step (K.47)
   double self_contact = 0.0;             // [1/s2] part of shares.contact: the skin with itself
   double self_contact_sum = 0.0;         // [-] part of share_sums.contact

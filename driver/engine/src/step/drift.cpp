@@ -130,6 +130,14 @@ double drift_limit(const Scene& scene, const State& state) {
       growth * state.step.drift_limit);
 }
 
+double kink_limit(const Scene& scene, const State& state) {
+  constexpr double share = 1e-3;
+  const double kinks = state.skin_contact.kink_energy;
+  if (!scene.skin_contact || !(kinks > 0.0)) return std::numeric_limits<double>::infinity();
+  const double energy = std::max(energy_at_hand(state), state.start.smallest_energy);
+  return state.step.before * std::sqrt(8.0 * share * energy / kinks);
+}
+
 std::string drift_text(const Scene& scene, const State& state) {
   const double drift = energy_drift(state);
   const LargestTerm& term = state.peaks.largest_term;

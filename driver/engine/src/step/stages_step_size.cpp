@@ -49,15 +49,17 @@ double within_deformation(const Scene& scene, State& state, double wanted) {
   return most / fastest.rate;
 }
 
-// `wanted` [s], or a shorter step where layers of the skin close much or are close (K.47). They are for a few
-// steps only, from which the slow growth of (M.33) would not recover; this limit grows faster.
+// `wanted` [s], or a shorter step where layers of the skin close much or are close (K.47), or many begin to
+// touch at once (K.48). They are for a few steps only, from which the slow growth of (M.33) would not
+// recover; this limit grows faster.
 double within_contact(const Scene& scene, State& state, double wanted) {
   if (!scene.skin_contact) return wanted;
   constexpr double growth = 1.02;
   StepSizes& step = state.step;
   const double stable =
       scene.time.safety * 2.0 / std::sqrt(step.shares.total() + deep_contact_stiffness(scene, state));
-  step.touching = std::min({stable, approach_limit(scene, state), growth * step.touching});
+  step.touching = std::min({stable, approach_limit(scene, state),
+                            scene.time.safety * kink_limit(scene, state), growth * step.touching});
   if (!(step.touching < wanted)) return wanted;
   ++step.approach_limited;
   return step.touching;

@@ -48,13 +48,16 @@ std::string collapse(const Scene& scene, const State& state) {
       state.gas_point.pressure, scene.ambient.pressure);
 }
 
+constexpr const char* lower_self_contact =
+    "; lower membrane.self_contact.stiffness or membrane.self_contact.stiffness_share";
+
 // The key that lengthens the step most.
 std::string advice(const State& state) {
   const membrane::StiffnessShares& s = state.step.shares;
   const double self = state.step.self_contact, sphere = s.contact - self;
   const double most = std::max({s.element, s.gas, sphere, self, s.strap, s.plate});
   if (sphere == most) return "; lower contact.stiffness or contact.stiffness_share";
-  if (self == most) return "; lower membrane.self_contact.stiffness or membrane.self_contact.stiffness_share";
+  if (self == most) return lower_self_contact;
   if (s.strap == most) return "; lower membrane.strap.stiffness";
   if (s.plate == most) return "; lower membrane.plate.stiffness";
   if (s.gas == most) return "; the gas is stiff in so small a volume: begin with a larger one";
@@ -69,7 +72,10 @@ std::string cause_of_short_step(const Scene& scene, const State& state) {
         " for layers of the skin, which close by {:.3g} of the thickness in a step (K.47); a larger "
         "membrane.self_contact.thickness allows longer steps",
         state.skin_contact.approach * step.after / step.before);
-  if (step.after * 1.01 < std::min(step.steady, scene.time.safety * step.drift_limit))
+  const bool shortened = step.after * 1.01 < std::min(step.steady, scene.time.safety * step.drift_limit);
+  if (shortened && step.after * 1.01 >= step.touching)
+    return std::string(" for layers of the skin that touch or may soon (K.46, K.48)") + lower_self_contact;
+  if (shortened)
     return fmt::format(
         " for element {}, which deforms at {:.3g} 1/s (M.32); look at the mesh there, and at what loads it",
         step.deformed_element, membrane::kLargestDeformation / step.after);
