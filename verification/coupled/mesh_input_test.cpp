@@ -60,7 +60,7 @@ const BadMesh kMeshes[] = {
      "bag.obj:12:1: mesh: the element has no area: its nodes 5, 6 and 7 at (1, 0, 1), (2, 0, 2) and (3, 0, "
      "3) m "
      "lie on one line"},
-    {"two_chambers", kTwo.c_str(), "one control volume is one chamber"},
+    {"two_chambers", kTwo.c_str(), "2 disconnected components (a bag is one chamber, a sheet one piece)"},
     {"not_a_mesh", "hello world\n", "bag.obj:1:"},
     {"empty", "", "element"},
 };

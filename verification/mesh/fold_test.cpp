@@ -231,8 +231,10 @@ TEST(Fold, bad_input_is_named) {
        "at = 0.2 m: the fold line must not cross the part that stays, 0 m to 0.3 m");
   says(options(FoldType::letter, {0.2, 0.2}), {0}, "is given twice");
   says(options(FoldType::letter, {0.2, 0.3}), {0}, "a letter fold has one line on each side");
-  says(options(FoldType::roll, {0.395}), {0}, "and the flap has only 0.005 m");
-  says(options(FoldType::roll, {0.302}), {30}, "and the fixed nodes are 0.002 m away");
+  says(options(FoldType::roll, {0.395}), {0}, "and the flap has only 0.005 m, allowed: about ");
+  says(options(FoldType::roll, {0.302}), {30}, "and the fixed nodes are 0.002 m away, allowed: about ");
+  says(options(FoldType::roll, {0.395}), {39},
+       "and the flap has only 0.005 m: no line has room on this side");
   says(options(FoldType::accordion, {0.05, 0.2}), {0}, "below the part that stays");
   const Mesh bag = mesh::driver_bag().mesh, box = mesh::passenger_bag().mesh;
   const auto press = [&](const Mesh& it, const std::vector<int>& fixed, double distance) {
@@ -243,10 +245,28 @@ TEST(Fold, bad_input_is_named) {
   EXPECT_EQ(press(bag, {back}, gap), "");
   EXPECT_NE(press(bag, {front, back}, gap).find("one plane and in one sheet"), std::string::npos);
   EXPECT_NE(press(box, {}, gap).find("needs two sheets"), std::string::npos);
+  EXPECT_NE(press(bag, {back}, 1.0).find("gap = 1 m, allowed: up to 0.0"), std::string::npos);
   EXPECT_NE(press(bag, {}, -1.0).find("a finite number above 0"), std::string::npos);
   EXPECT_NE(refusal([&] { Folding(bag, box.nodes, {}, up); }).find("one position for each"),
             std::string::npos);
   EXPECT_NE(refusal([&] { Folding(bag, bag.nodes, {-1}, up); }).find("out of range"), std::string::npos);
+}
+
+// Just inside the limits that a refusal names a line has room.
+TEST(Fold, lines_within_the_limits_of_the_message_have_room) {
+  const Mesh mesh = sheets(40, 2);
+  for (const double at : {0.202, 0.395}) {
+    const std::string message = refusal([&] { folded(mesh, options(FoldType::roll, {at}), {20}); });
+    const std::string key = "allowed: about ", to = " m to ";
+    ASSERT_NE(message.find(key), std::string::npos) << message;
+    const std::string limits = message.substr(message.find(key) + key.size());
+    const double low = std::stod(limits), high = std::stod(limits.substr(limits.find(to) + to.size()));
+    EXPECT_GT(low, 0.2);
+    EXPECT_LT(high, 0.4);
+    // The limits move by the length of an element with the line, as its elements do.
+    for (const double line : {low + cell, high - cell})
+      EXPECT_EQ(refusal([&] { folded(mesh, options(FoldType::roll, {line}), {20}); }), "") << message;
+  }
 }
 
 }  // namespace

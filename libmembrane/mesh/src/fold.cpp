@@ -206,7 +206,19 @@ void Folding::require_free(const Crease& c) const {
   const std::string takes = "at = " + metres(c.at) + ": the bend over this line gathers the fabric within " +
                             metres(c.reach(0.0)) + " of it (pack " + metres(c.deepest) + " high, elements " +
                             metres(c.element) + " long), ";
-  const std::string remedy = "; move the line, or take a finer mesh, a thinner pack or a smaller easing";
+  // Where a bend of this size would have room.
+  const double end = c.at + c.direction * flap;
+  double kept = end - c.direction * std::numeric_limits<double>::infinity();
+  for (const int node : fixed_)
+    if (c.direction * (nodes_(c.axis, node) - kept) > 0.0) kept = nodes_(c.axis, node);
+  const double from = kept + c.direction * c.reach(0.0), to = end - c.direction * c.reach(0.0);
+  const std::string limits =
+      c.direction * (to - from) < 0.0 ? ": no line has room on this side"
+      : std::isinf(kept)
+          ? std::string(", allowed: about ") + (c.direction > 0.0 ? "up to " : "from ") + metres(to)
+          : ", allowed: about " + metres(std::min(from, to)) + " to " + metres(std::max(from, to));
+  const std::string remedy =
+      limits + "; move the line, or take a finer mesh, a thinner pack or a smaller easing";
   if (flap < c.reach(0.0)) refuse(takes + "and the flap has only " + metres(flap) + remedy);
   double nearest = std::numeric_limits<double>::infinity();
   bool moves = false;

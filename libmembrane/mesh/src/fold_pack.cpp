@@ -138,6 +138,17 @@ PackSide thin_side(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes, const std::v
 void Folding::press(double gap) {
   if (!(gap > 0.0 && std::isfinite(gap)))
     throw std::invalid_argument("gap: needs a finite number above 0 [m]");
+  // A pack is thin. A wider gap would be told as one of the next fold's.
+  double extent = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+    if (axis != side_.axis)
+      extent = std::min(extent, nodes_.row(axis).maxCoeff() - nodes_.row(axis).minCoeff());
+  if (gap > 0.1 * extent) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "gap = " << gap << " m, allowed: up to " << 0.1 * extent << " m, a tenth of the sheets' extent";
+    throw std::invalid_argument(text.str());
+  }
   const std::vector<int> sheets = sheets_of(nodes_, mesh_->elements, side_);
   require_two_sheets(sheets, mesh_->elements);
   const int base = fixed_.empty() ? -1 : sheets[static_cast<std::size_t>(fixed_.front())];

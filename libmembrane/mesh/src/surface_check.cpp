@@ -178,7 +178,7 @@ std::string SurfaceReport::describe(const std::vector<int>& lines) const {
   if (!components.empty()) {
     std::vector<int> firsts;
     for (const std::vector<int>& component : components) firsts.push_back(component.front());
-    describe_list("disconnected components (one control volume is one chamber), first " + names.elements(),
+    describe_list("disconnected components (a bag is one chamber, a sheet one piece), first " + names.elements(),
                   firsts, element, text);
   }
   if (flat)
