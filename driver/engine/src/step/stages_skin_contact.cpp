@@ -18,13 +18,15 @@ double surface_density(const membrane::BagModel& bag) {
   return bag.fabric_mass / std::accumulate(bag.node_area.begin(), bag.node_area.end(), 0.0);
 }
 
-// Two layers that close at v stop within their limit if half of the mass per area times v^2 / 2 is less than
-// kappa limit^2 / 2; twice that stiffness, to have some to spare. Edges that cross at a corner bear less.
+// Two layers that close at v stop within their limit l if half of the mass per area times v^2 / 2 is less
+// than phi(l, 0) = 6 kappa l^2 / 2, by both halves of (K.44); twice that stiffness, to have some to spare.
+// Edges that cross at a corner bear less.
 std::string stiffer(const Scene& scene, const State& state, const coupling::GapError& error) {
   const coupling::SkinContactParameters& p = scene.skin_contact->parameters();
   const bool edges = error.pair().first[1] >= 0;
   const double rate = error.motion() / state.step.before / (edges ? 0.8 * p.thickness : p.thickness);
-  const double factor = std::max(4.0, surface_density(scene.bag->model) * rate * rate / p.stiffness);
+  const double needed = surface_density(scene.bag->model) * rate * rate / (2.0 * 6.0);
+  const double factor = std::max(4.0, 8.0 * needed / p.stiffness);
   const double now = scene.skin_contact_share.value_or(p.stiffness);
   const char* key = scene.skin_contact_share ? "stiffness_share" : "stiffness";
   return fmt::format("membrane.self_contact.{} = {:.3g}, then {:.3g} (now {:.3g})", key, factor * now,
