@@ -28,6 +28,9 @@ def test_self_contact_check():
     # By default twenty times that of the fabric, whatever the elements' shares of it.
     share = as_json(f"check {SPHERE} --set membrane.self_contact.thickness=1e-3 --format json")["derived"]["self_contact"]["share_of_fabric"]
     assert 10 < share < 40
+    # Friction stiffens the contact, too; the share is that of both.
+    rough = as_json(f"check {SPHERE} --set membrane.self_contact.thickness=1e-3 --set membrane.self_contact.friction=0.75 --format json")
+    assert rough["derived"]["self_contact"]["share_of_fabric"] == pytest.approx(share, rel=1e-12)
 
 
 def test_self_contact_run():
@@ -39,10 +42,7 @@ def test_self_contact_run():
     assert seen["most_contacts"] >= max(float(row["self_contacts"]) for row in rows) > 0
     assert seen["smallest_gap_m"] <= min(float(row["self_gap_m"]) for row in rows) < 0.01
     assert 0.01 < seen["most_contacts_s"] < 0.04 and seen["limited_nodes_at_start"] == seen["limited_nodes_at_end"] == 0
-    # Blown up at the end, the bag touches itself at fewer places than one in a hundred nodes.
-    apart = seen["one_room_from_s"]
-    assert 0.03 < apart < 0.06
-    assert all(float(row["self_contacts"]) < 0.01 * summary["counters"]["nodes"] for row in rows if float(row["time_s"]) >= apart)
+    assert "one_room_from_s" not in seen, "there is no gas in any room"
     assert summary["counters"]["self_contact_looks"] > 0
     shares = summary["dt"]["shares"]
     assert shares["self_contact"] > 0 and shares["contact"] == 0 and summary["dt"]["limited_by_contact"] >= 0
@@ -68,6 +68,7 @@ def test_self_contact_crossed_start():
     said = r"crossed.toml:\d+:\d+: membrane.self_contact: layers cross at the start, \d+ pairs of elements .* near \[.*\] m, elements .*counted twice"
     for command in ("check crossed.toml", "run crossed.toml --out none"):
         refused(said, command)
+    refused(r"perturbation.*up to 1e-05 m; or pull", "check crossed.toml --set membrane.perturbation=1e-5")
     expect(0, "passes through itself at the start", "check crossed.toml --unset membrane.self_contact")
     assert has("crossed.toml", "self_contact")
 

@@ -31,6 +31,12 @@ const Fault kFaults[] = {
     {"friction_of_glue", "flattened_sphere", "flatten = 0.1",
      "self_contact = { thickness = 1e-3, friction = 11.0 }", "membrane.self_contact.friction", "from 0 to 10",
      "friction = 11.0"},
+    {"stiffness_and_share", "flattened_sphere", "flatten = 0.1",
+     "self_contact = { thickness = 1e-3, stiffness = 1e9, stiffness_share = 5.0 }",
+     "membrane.self_contact.stiffness_share",
+     "stands beside stiffness, allowed: one of them; leave out stiffness to", "stiffness_share = 5.0"},
+    {"no_mesh", "rigid_tank", "[[inflator]]", "[membrane.self_contact]\nthickness = 2e-3\n[[inflator]]",
+     "membrane.self_contact", "needs membrane.mesh", "self_contact]"},
     {"unknown_key", "flattened_sphere", "flatten = 0.1", "self_contact = { thickness = 1e-3, gap = 11.0 }",
      "membrane.self_contact.gap", "unknown key", "gap = 11.0"}};
 

@@ -119,6 +119,17 @@ TEST(skin_checks, refuse_layers_that_cross_at_the_start_if_the_skin_touches_itse
   }
 }
 
+TEST(skin_checks, name_neighbours_that_cross_at_the_start_in_spite_of_contact) {
+  driver::Scene scene = coupled::scene_of("sphere_inflation", {"membrane.self_contact.thickness=1e-3"});
+  push_through(scene, 0.1 * scene.bag->initial_position.rowwise().maxCoeff()(0));
+  driver::add_skin_warning(scene);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(
+      scene.warnings[0].find("membrane: neighbours, which self_contact does not part, cross at the start: "),
+      std::string::npos)
+      << scene.warnings[0];
+}
+
 TEST(skin_checks, warn_of_any_layers_that_cross_in_spite_of_contact) {
   SkinCheck check{.time = 0.01, .volume = 0.03, .crossing = {}};
   check.crossing.pairs = 3;

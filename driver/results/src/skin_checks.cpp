@@ -77,9 +77,13 @@ void add_skin_warning(Scene& scene) {
       find_crossing(position, elements, scene.gas.has_value(), scene.bag->null_elements);
   if (crossing.pairs == 0) return;
   const double volume = scene.gas ? mesh::enclosed_volume(position, elements) : 0.0;
-  scene.warnings.push_back(
-      fmt::format("membrane: the skin passes through itself at the start: {}; pull its layers apart",
-                  text_of(crossing, volume)));
+  // Layers that are no neighbours are refused then.
+  scene.warnings.push_back(fmt::format(
+      "membrane: {} at the start: {}; {}",
+      scene.skin_contact ? "neighbours, which self_contact does not part, cross"
+                         : "the skin passes through itself",
+      text_of(crossing, volume),
+      scene.skin_contact ? "refine the mesh there, or fold less sharply" : "pull its layers apart"));
 }
 
 std::string crossed_layers(const Scene& scene) {
@@ -109,10 +113,15 @@ std::string crossed_layers(const Scene& scene) {
 void require_separate_layers(CaseDocument& document, const Scene& scene) {
   const std::string crossed = crossed_layers(scene);
   if (crossed.empty()) return;
-  document.root()
-      .table("membrane")
-      .table("self_contact")
-      .fail("", crossed + ". Pull the layers apart, or leave this table out");
+  TableReader membrane = document.root().table("membrane");
+  membrane.table("self_contact")
+      .fail("", crossed +
+                    (membrane.has("perturbation")
+                         ? ". Lower membrane.perturbation, which displaces nodes by up to " +
+                               fmt::format("{:.3g} m", membrane.at("perturbation").number(any_number)) +
+                               "; or pull"
+                         : ". Pull") +
+                    " the layers apart, or leave this table out");
 }
 
 }  // namespace driver

@@ -130,17 +130,18 @@ Json streams(const Scene& scene, const State& state) {
   return json;
 }
 
-Json self_contact(const State& state) {
+Json self_contact(const Scene& scene, const State& state) {
   const SelfContactRecord& record = state.peaks.self_contact;
   const bool touched = record.contacts > 0;
-  return {{"limited_nodes_at_start", record.limited_at_start},
-          {"smallest_limit_at_start_m", record.smallest_limit},
-          {"limited_nodes_at_end", state.skin_contact_cache->limited_nodes()},
-          {"most_contacts", record.contacts},
-          {"most_contacts_s", touched ? Json(record.contacts_time) : Json(nullptr)},
-          {"smallest_gap_m", touched ? Json(record.gap) : Json(nullptr)},
-          {"smallest_gap_s", touched ? Json(record.gap_time) : Json(nullptr)},
-          {"one_room_from_s", time_or_null(record.one_room_from)}};
+  Json json{{"limited_nodes_at_start", record.limited_at_start},
+            {"smallest_limit_at_start_m", record.smallest_limit},
+            {"limited_nodes_at_end", state.skin_contact_cache->limited_nodes()},
+            {"most_contacts", record.contacts},
+            {"most_contacts_s", touched ? Json(record.contacts_time) : Json(nullptr)},
+            {"smallest_gap_m", touched ? Json(record.gap) : Json(nullptr)},
+            {"smallest_gap_s", touched ? Json(record.gap_time) : Json(nullptr)}};
+  if (scene.gas) json["one_room_from_s"] = time_or_null(record.one_room_from);
+  return json;
 }
 
 /// Checks of the skin, and the maximum of each number.
@@ -222,7 +223,7 @@ std::string summary_text(const Scene& scene, const State& state, const RunOutcom
   json["peak"] = peaks(scene, state);
   if (scene.has_volume()) json["moments"] = moments(state);
   if (scene.has_volume()) json["streams"] = streams(scene, state);
-  if (scene.skin_contact) json["self_contact"] = self_contact(state);
+  if (scene.skin_contact) json["self_contact"] = self_contact(scene, state);
   if (!checks.empty()) json["self_intersection"] = self_intersection(scene, checks);
   json["counters"] = counters(scene, state);
   return text_of(std::move(json), lines);

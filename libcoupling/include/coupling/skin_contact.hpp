@@ -139,8 +139,8 @@ class SkinContactModel {
 };
 
 /// Largest stiffness [N/m3] whose bound, both sides of the skin in contact, is that share of
-/// `other_omega_squared` [1/s2] for a skin of `surface_density` [kg/m2]: share omega^2 rho h / 4 (K.46).
-/// Throws std::invalid_argument for a value out of range.
+/// `other_omega_squared` [1/s2] for a skin of `surface_density` [kg/m2]: share omega^2 rho h / 4 (K.46),
+/// without friction. Throws std::invalid_argument for a value out of range.
 double default_skin_stiffness(double share, double other_omega_squared, double surface_density);
 
 }  // namespace coupling

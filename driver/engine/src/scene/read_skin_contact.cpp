@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -63,12 +64,17 @@ void require_larger_elements(const TableReader& table, double thickness, const B
                                       element_text(bag.mesh, elements.col(smallest))));
 }
 
-double stiffness_of(TableReader& table, Scene& scene) {
+// Friction stiffens, too (K.46), so that the share of both is the one that is given.
+double stiffness_of(TableReader& table, double friction, Scene& scene) {
+  if (table.has("stiffness") && table.has("stiffness_share"))
+    table.fail("stiffness_share",
+               "stands beside stiffness, allowed: one of them; leave out stiffness to follow the fabric, or "
+               "stiffness_share to keep the pressure per metre");
   if (const auto stiffness = table.at("stiffness").optional_number(positive.in("N/m³"))) return *stiffness;
   scene.skin_contact_share = table.at("stiffness_share").number(contact_share, default_skin_share);
   const membrane::BagModel& model = scene.bag->model;
-  return coupling::default_skin_stiffness(*scene.skin_contact_share, model.fabric_frequency,
-                                          lightest_fabric(model.description));
+  return coupling::default_skin_stiffness(*scene.skin_contact_share / std::hypot(1.0, friction),
+                                          model.fabric_frequency, lightest_fabric(model.description));
 }
 
 }  // namespace
@@ -82,7 +88,7 @@ void read_skin_contact(TableReader& membrane, Scene& scene) {
   require_larger_elements(*table, thickness, bag, elements);
   const double friction = table->at("friction").number(contact_friction, 0.0);
   table->located("", [&] {
-    const double stiffness = stiffness_of(*table, scene);
+    const double stiffness = stiffness_of(*table, friction, scene);
     scene.skin_contact.emplace(elements, bag.model.description.reference, bag.model.node_mass,
                                coupling::SkinContactParameters{thickness, stiffness, friction});
   });
