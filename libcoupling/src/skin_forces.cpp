@@ -105,8 +105,7 @@ void SkinForces::add_node(const Touch& touch) {
   add_kinks(touch, stiffness, limit);
   const Corners corners = corners_of(parts_, touch.pair);
   // What starts at its limit may touch in the first step.
-  if (search_.first_level())
-    stiffen(corners.node, 4, closest.weight.data(), 2.0 * stiffness);
+  if (search_.first_level()) stiffen(corners.node, 4, closest.weight.data(), 2.0 * stiffness);
   if (!(closest.distance < limit)) return;
   note(touch);
   const double steepness = steepness_of(stiffness, limit, touch);

@@ -56,10 +56,11 @@ std::string text_of(const SkinPair& pair);
 struct SkinContactResult {
   double energy = 0.0;         // [J] including the stretch of sticking nodes
   double friction_loss = 0.0;  // [J] lost since the last level
-  /// [1/s2] Bound of the contact's omega^2 (K.46); at the first level, of all nodes that start at their limit.
+  /// [1/s2] Bound of the contact's omega^2 (K.46); at the first level, of all nodes that start at their
+  /// limit.
   double omega_squared = 0.0;
-  int contacts = 0;            // pairs closer than their limit
-  SkinPair closest;            // of those in contact
+  int contacts = 0;  // pairs closer than their limit
+  SkinPair closest;  // of those in contact
   /// [-] Largest decrease of a distance since the last level over the reach (h; of edges 0.8 h), of parts
   /// whose closest points come within the reach in one and a half such steps. The time step keeps it small
   /// (K.47).

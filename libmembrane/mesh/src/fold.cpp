@@ -207,28 +207,23 @@ void Folding::require_free(const Crease& c) const {
                             metres(c.reach(0.0)) + " of it (pack " + metres(c.deepest) + " high, elements " +
                             metres(c.element) + " long), ";
   // Where a bend of this size would have room.
-  const double end = c.at + c.direction * flap;
-  double kept = end - c.direction * std::numeric_limits<double>::infinity();
-  for (const int node : fixed_)
-    if (c.direction * (nodes_(c.axis, node) - kept) > 0.0) kept = nodes_(c.axis, node);
-  const double from = kept + c.direction * c.reach(0.0), to = end - c.direction * c.reach(0.0);
+  const Range kept = kept_part(nodes_, fixed_, c.axis);
+  const double stays = c.direction > 0.0 ? kept.high : kept.low, room = c.direction * c.reach(0.0),
+               from = stays + room, to = c.at + c.direction * flap - room;
   const std::string limits =
-      c.direction * (to - from) < 0.0 ? ": no line has room on this side"
-      : std::isinf(kept)
-          ? std::string(", allowed: about ") + (c.direction > 0.0 ? "up to " : "from ") + metres(to)
+      c.direction * (to - from) < 0.0
+          ? ": no line has room on this side"
           : ", allowed: about " + metres(std::min(from, to)) + " to " + metres(std::max(from, to));
   const std::string remedy =
       limits + "; move the line, or take a finer mesh, a thinner pack or a smaller easing";
   if (flap < c.reach(0.0)) refuse(takes + "and the flap has only " + metres(flap) + remedy);
-  double nearest = std::numeric_limits<double>::infinity();
   bool moves = false;
   for (const int node : fixed_) {
     const double away = -c.direction * (nodes_(c.axis, node) - c.at);
     const double depth = std::abs(c.mirror - c.up * side_.sign * nodes_(side_.axis, node));
-    nearest = std::min(nearest, away);
     moves = moves || away < c.reach(depth);
   }
-  if (moves) refuse(takes + "and the fixed nodes are " + metres(nearest) + " away" + remedy);
+  if (moves) refuse(takes + "and the fixed nodes are " + metres(std::abs(c.at - stays)) + " away" + remedy);
 }
 
 // True for an element of a side wall, across the layers.

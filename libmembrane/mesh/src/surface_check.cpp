@@ -178,8 +178,9 @@ std::string SurfaceReport::describe(const std::vector<int>& lines) const {
   if (!components.empty()) {
     std::vector<int> firsts;
     for (const std::vector<int>& component : components) firsts.push_back(component.front());
-    describe_list("disconnected components (a bag is one chamber, a sheet one piece), first " + names.elements(),
-                  firsts, element, text);
+    describe_list(
+        "disconnected components (a bag is one chamber, a sheet one piece), first " + names.elements(),
+        firsts, element, text);
   }
   if (flat)
     text += "no volume: the sheets lie on each other; give an open initial shape\n";

@@ -140,7 +140,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
     if (root.has("fabric")) root.fail("fabric", "needs a table [membrane]");
     return;
   }
-  if (table->has("self_contact") && !table->has("mesh"))
+  if (table->has("self_contact") && !table->is_table("mesh"))
     table->fail("self_contact", "needs membrane.mesh, the fabric whose layers touch");
   if (!scene.gas && !table->has("overpressure"))
     root.fail("gas", "is missing: a [membrane] needs [gas] for a bag, or overpressure for a sheet");

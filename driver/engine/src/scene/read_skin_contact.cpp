@@ -73,7 +73,7 @@ double stiffness_of(TableReader& table, double friction, Scene& scene) {
   if (const auto stiffness = table.at("stiffness").optional_number(positive.in("N/m³"))) return *stiffness;
   scene.skin_contact_share = table.at("stiffness_share").number(contact_share, default_skin_share);
   const membrane::BagModel& model = scene.bag->model;
-  return coupling::default_skin_stiffness(*scene.skin_contact_share / std::hypot(1.0, friction),
+  return coupling::default_skin_stiffness(*scene.skin_contact_share / std::sqrt(1.0 + friction * friction),
                                           model.fabric_frequency, lightest_fabric(model.description));
 }
 

@@ -63,7 +63,8 @@ class Folding {
 
   /// Lays two sheets that are sewn at their rim on each other, `gap` [m] apart, with the seam half-way. The
   /// sheet that holds the fixed nodes stays in their plane. Throws std::invalid_argument for a gap that is
-  /// not above 0 or above a tenth of the sheets' extent, a bag that is not made of two sheets, and fixed nodes that would move.
+  /// not above 0 or above a tenth of the sheets' extent, a bag that is not made of two sheets, and fixed
+  /// nodes that would move.
   void press(double gap);
 
   /// Folds. Throws std::invalid_argument, with key, value, limit and remedy, for
