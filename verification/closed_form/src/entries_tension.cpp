@@ -72,38 +72,52 @@ std::vector<Entry> vibration() {
 }
 
 std::vector<Entry> tension() {
-  return {Form<Nothing>("square_deflection",
-                        "Tensioned square membrane under uniform pressure, continuum and lattice",
-                        "n lap(w) = -p; w_c = C p a^2/n; V = C_V p a^4/n",
-                        "Fourier series, textbook result; lattice derived here",
-                        "small slope; even number of divisions, up to 4096", 14)
-              .over("divisions", {8.0, 16.0, 32.0, 64.0})
-              .results(with(lattice_square_deflection, abscissa),
-                       {{"lattice_centre_coefficient", &SquareDeflection::centre_coefficient},
-                        {"lattice_volume_coefficient", &SquareDeflection::volume_coefficient}})
-              .results(square_deflection, {{"centre_coefficient", &SquareDeflection::centre_coefficient},
-                                           {"volume_coefficient", &SquareDeflection::volume_coefficient}}),
-          Form<Nothing>("circle_deflection", "Tensioned circular membrane under uniform pressure",
-                        "w_c = p a^2/(4 n)", "textbook result", "small slope", 15)
-              .number("tension", "n", "N/m", 1000.0, "uniform tension")
-              .number("radius", "a", "m", 0.3, "radius")
-              .over("overpressure_Pa", range(0.0, 100.0, 10))
-              .result("centre_deflection_m", with(circle_deflection, "tension", "radius", abscissa)),
-          Form<MembraneDent>("membrane_rebound",
-                             "Sphere that rebounds from a tensioned circular membrane, over its speed",
-                             "M v^2/2 = pi N a^4 (ln(R/a) + 1/4)/r^2; depth a^2 (1 + 2 ln(R/a))/(2 r)",
-                             "derived here", "membrane without mass, small slope a/r", 9)
-              .field(&MembraneDent::tension, "tension", "N", "N/m", 2e3, "tension")
-              .field(&MembraneDent::membrane_radius, "membrane_radius", "R", "m", 0.3,
-                     "radius of the clamped rim")
-              .field(&MembraneDent::sphere_radius, "sphere_radius", "r", "m", 10.0, "radius of the sphere")
-              .number("mass", "M", "kg", 40.0, "mass of the sphere")
-              .over("speed_m_s", range(0.005, 0.05, 9))
-              .results(with(membrane_rebound, itself, "mass", abscissa),
-                       {{"patch_radius_m", &MembraneRebound::patch_radius},
-                        {"depth_m", path(&MembraneRebound::turn, &DentState::depth)},
-                        {"contact_force_N", path(&MembraneRebound::turn, &DentState::force)},
-                        {"duration_s", &MembraneRebound::duration}})};
+  return {
+      Form<Nothing>("square_deflection",
+                    "Tensioned square membrane under uniform pressure, continuum and lattice",
+                    "n lap(w) = -p; w_c = C p a^2/n; V = C_V p a^4/n",
+                    "Fourier series, textbook result; lattice derived here",
+                    "small slope; even number of divisions, up to 4096", 14)
+          .over("divisions", {8.0, 16.0, 32.0, 64.0})
+          .results(with(lattice_square_deflection, abscissa),
+                   {{"lattice_centre_coefficient", &SquareDeflection::centre_coefficient},
+                    {"lattice_volume_coefficient", &SquareDeflection::volume_coefficient}})
+          .results(square_deflection, {{"centre_coefficient", &SquareDeflection::centre_coefficient},
+                                       {"volume_coefficient", &SquareDeflection::volume_coefficient}}),
+      Form<Nothing>("circle_deflection", "Tensioned circular membrane under uniform pressure",
+                    "w_c = p a^2/(4 n)", "textbook result", "small slope", 15)
+          .number("tension", "n", "N/m", 1000.0, "uniform tension")
+          .number("radius", "a", "m", 0.3, "radius")
+          .over("overpressure_Pa", range(0.0, 100.0, 10))
+          .result("centre_deflection_m", with(circle_deflection, "tension", "radius", abscissa)),
+      Form<PressedStrips>(
+          "pressed_strips", "Two tensioned strips that pressure from outside lays on each other",
+          "a = L + lambda - sqrt(lambda^2 + 2 T H/p), lambda = sqrt(T/(2 kappa)); F = 2 p (a - lambda)",
+          "derived here", "small slope; a above 6 lambda", 5)
+          .field(&PressedStrips::tension, "tension", "T", "N/m", 200.0, "uniform tension")
+          .field(&PressedStrips::half_width, "half_width", "L", "m", 0.15, "half width between the clamps")
+          .field(&PressedStrips::approach, "approach", "H", "m", 1.6e-3, "way of each strip until they touch")
+          .field(&PressedStrips::stiffness, "stiffness", "kappa", "N/m3", 1e6, "stiffness of the contact")
+          .over("pressure_Pa", range(80.0, 180.0, 10))
+          .results(with(pressed_strips, itself, abscissa),
+                   {{"contact_half_width_m", &StripPress::contact_half_width},
+                    {"contact_force_N_m", &StripPress::force},
+                    {"closing_m", &StripPress::closing}}),
+      Form<MembraneDent>("membrane_rebound",
+                         "Sphere that rebounds from a tensioned circular membrane, over its speed",
+                         "M v^2/2 = pi N a^4 (ln(R/a) + 1/4)/r^2; depth a^2 (1 + 2 ln(R/a))/(2 r)",
+                         "derived here", "membrane without mass, small slope a/r", 9)
+          .field(&MembraneDent::tension, "tension", "N", "N/m", 2e3, "tension")
+          .field(&MembraneDent::membrane_radius, "membrane_radius", "R", "m", 0.3,
+                 "radius of the clamped rim")
+          .field(&MembraneDent::sphere_radius, "sphere_radius", "r", "m", 10.0, "radius of the sphere")
+          .number("mass", "M", "kg", 40.0, "mass of the sphere")
+          .over("speed_m_s", range(0.005, 0.05, 9))
+          .results(with(membrane_rebound, itself, "mass", abscissa),
+                   {{"patch_radius_m", &MembraneRebound::patch_radius},
+                    {"depth_m", path(&MembraneRebound::turn, &DentState::depth)},
+                    {"contact_force_N", path(&MembraneRebound::turn, &DentState::force)},
+                    {"duration_s", &MembraneRebound::duration}})};
 }
 
 std::vector<Entry> waves() {

@@ -51,6 +51,16 @@ double lattice_square_frequency(const TensionedMembrane& membrane, double side, 
          std::sqrt(squared_sine(m, divisions) + squared_sine(n, divisions));
 }
 
+StripPress pressed_strips(const PressedStrips& strips, double pressure) {
+  check::positive("tension", strips.tension, "half_width", strips.half_width, "approach", strips.approach,
+                  "stiffness", strips.stiffness, "pressure", pressure);
+  const double layer = std::sqrt(0.5 * strips.tension / strips.stiffness);
+  const double apart = std::sqrt(layer * layer + 2.0 * strips.tension * strips.approach / pressure) - layer;
+  const double contact = strips.half_width - apart;
+  check::within("pressure", contact / layer, 6.0, 1e300);
+  return {contact, 2.0 * pressure * (contact - layer), pressure / strips.stiffness};
+}
+
 SquareDeflection square_deflection() {
   SquareDeflection sum;
   double centre = 0.0;

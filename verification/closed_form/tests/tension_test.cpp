@@ -160,4 +160,23 @@ TEST(ClosedFormTension, bad_parameters_are_refused_by_name) {
   expect_refused([] { lattice_square_frequency(kReference, 0.6, 8, 8, 1); }, "m");
 }
 
+// The shape by its two pieces: value and slope are continuous, the clamp is at rest, and forces balance.
+TEST(ClosedFormTension, pressed_strips_keep_the_balance_of_forces_and_the_clamp) {
+  const PressedStrips strips{200.0, 0.15, 1.6e-3, 1e6};
+  const double layer = std::sqrt(200.0 / 2e6);
+  for (const double pressure : {80.0, 100.0, 180.0}) {
+    const StripPress press = pressed_strips(strips, pressure);
+    const double a = press.contact_half_width, apart = strips.half_width - a;
+    // In contact w = H + (p/kappa)/2 (1 - cosh(x/lambda)/cosh(a/lambda)).
+    const double slope = -0.5 * press.closing / layer * std::tanh(a / layer);
+    EXPECT_NEAR(strips.approach + slope * apart - 0.5 * pressure / strips.tension * apart * apart, 0.0,
+                1e-5 * strips.approach);
+    expect_relative(press.force, pressure * 2.0 * (a - layer * std::tanh(a / layer)), 1e-5);
+    expect_relative(press.force + 2.0 * strips.tension * (-slope + pressure / strips.tension * apart),
+                    2.0 * pressure * strips.half_width, 1e-5);
+  }
+  expect_refused([&] { pressed_strips(strips, 20.0); }, "pressure");
+  expect_refused([] { pressed_strips({0.0, 0.15, 1.6e-3, 1e6}, 100.0); }, "tension");
+}
+
 }  // namespace

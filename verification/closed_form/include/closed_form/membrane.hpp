@@ -134,6 +134,24 @@ double rectangle_frequency(const TensionedMembrane& membrane, double a, double b
 /// (5-point Laplacian).
 double lattice_square_frequency(const TensionedMembrane& membrane, double side, int divisions, int m, int n);
 
+/// Two strips under uniform tension, clamped at both sides, that a pressure from outside lays on each other,
+/// each over an elastic layer (K.44).
+struct PressedStrips {
+  double tension = kRequired;     // [N/m] T > 0
+  double half_width = kRequired;  // [m] L > 0
+  double approach = kRequired;    // [m] H > 0: way of each strip from its clamps until they touch
+  double stiffness = kRequired;   // [N/m3] kappa > 0: pressure per metre that they come closer
+};
+struct StripPress {
+  double contact_half_width = 0.0;  // [m] a
+  double force = 0.0;               // [N/m] of the contact, per length
+  double closing = 0.0;             // [m] by which they come closer in the middle, p/kappa
+};
+/// At pressure p [Pa] > 0, with lambda = sqrt(T/(2 kappa)): T w'' = -p where they are apart, else T w'' =
+/// -p + kappa times the closing, so that a = L + lambda - sqrt(lambda^2 + 2 T H/p), and the force is 2 p (a -
+/// lambda). Small slope, and a above 6 lambda, for less than 1e-5 of neglect. Source: derived here.
+StripPress pressed_strips(const PressedStrips& strips, double pressure);
+
 /// Deflection of a tensioned square, n lap(w) = -p, side a. Dimensionless.
 struct SquareDeflection {
   double centre_coefficient = 0.0;  // w_c n/(p a^2)
