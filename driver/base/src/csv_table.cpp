@@ -22,12 +22,19 @@ struct CsvCell {
   std::size_t column;  // 1-based character position
 };
 
-// End of a cell: the next comma outside quotes.
-std::size_t cell_end(const std::string& line, std::size_t begin) {
+// Place of the next `wanted` outside quotes, or the end of the line.
+std::size_t find_outside_quotes(const std::string& line, char wanted, std::size_t begin = 0) {
   bool quoted = false;
-  for (; begin < line.size() && (quoted || line[begin] != ','); ++begin)
+  for (; begin < line.size() && (quoted || line[begin] != wanted); ++begin)
     if (line[begin] == '"') quoted = !quoted;
   return begin;
+}
+
+// The character between columns. A header with commas outside quotes has commas, whatever else it has.
+char separator_of(const std::string& header) {
+  for (const char separator : {',', ';', '\t'})
+    if (find_outside_quotes(header, separator) < header.size()) return separator;
+  return ',';
 }
 
 // True for a blank or a control character. A NUL counts as neither, so that the message shows it.
@@ -36,11 +43,11 @@ bool is_blank(char c) {
 }
 
 // Splits a line into `cells`, which refer to it.
-void split_row(const std::string& line, std::vector<CsvCell>& cells) {
+void split_row(const std::string& line, char separator, std::vector<CsvCell>& cells) {
   cells.clear();
   std::size_t begin = 0;
   while (begin <= line.size()) {
-    const std::size_t end = cell_end(line, begin);
+    const std::size_t end = find_outside_quotes(line, separator, begin);
     std::size_t first = begin, last = end;
     const auto trim = [&] {
       while (first < last && is_blank(line[first])) ++first;
@@ -66,7 +73,7 @@ std::size_t filled(const std::vector<CsvCell>& row) {
 constexpr std::size_t most_rows = 20'000'000;  // twice as many as a run writes
 
 bool holds_nothing(const std::string& line) {
-  const auto is_empty = [](char c) { return is_blank(c) || c == ',' || c == '"'; };
+  const auto is_empty = [](char c) { return is_blank(c) || c == ',' || c == ';' || c == '"'; };
   return std::ranges::all_of(line, is_empty) || comment_of(line).has_value();
 }
 
@@ -93,22 +100,57 @@ std::vector<std::size_t> find_columns(const std::vector<CsvCell>& header, const 
   return indices;
 }
 
-double cell_number(const std::vector<CsvCell>& row, std::size_t index, const std::filesystem::path& file,
-                   std::size_t line) {
-  if (index >= row.size())
-    fail_at(file, line, 1, fmt::format("has {} columns, needed: {}", row.size(), index + 1));
-  const CsvCell& cell = row[index];
-  const auto value = file_number_of(cell.text);
-  if (!value) fail_at(file, line, cell.column, fmt::format("'{}' is not a finite number", cell.text));
-  return *value;
-}
+// Numbers of one file. Beside semicolons or tabs they may have decimal commas, but then all of them: 1.234
+// may have a point for thousands.
+class NumberReader {
+ public:
+  NumberReader(const std::filesystem::path& file, char separator) : file_(file), separator_(separator) {}
 
-// Throws CaseError for more cells than names: a decimal comma, or a column without a name.
-void check_width(const std::vector<CsvCell>& row, std::size_t width, const std::filesystem::path& file,
-                 std::size_t line) {
-  const std::size_t cells = filled(row);
-  if (cells > width) fail_at(file, line, 1, fmt::format("has {} columns, but the header {}", cells, width));
-}
+  double read(const std::vector<CsvCell>& row, std::size_t index, std::size_t line) {
+    if (index >= row.size())
+      fail_at(file_, line, 1, fmt::format("has {} columns, needed: {}", row.size(), index + 1));
+    const CsvCell& cell = row[index];
+    const auto value = file_number_of(with_point(cell, line));
+    if (!value)
+      fail_at(file_, line, cell.column,
+              fmt::format("'{}' is not a finite number{}", cell.text,
+                          separator_ == ',' && cell.text.find(',') != cell.text.npos ? decimal_comma : ""));
+    return *value;
+  }
+
+  // Throws CaseError for more cells than names: a decimal comma, or a column without a name.
+  void check_width(const std::vector<CsvCell>& row, std::size_t width, std::size_t line) const {
+    const std::size_t cells = filled(row);
+    if (cells > width)
+      fail_at(file_, line, 1,
+              fmt::format("has {} columns, but the header {}{}", cells, width,
+                          separator_ == ',' ? decimal_comma : ""));
+  }
+
+ private:
+  static constexpr const char* decimal_comma = "; decimal commas need semicolons between columns";
+
+  std::string_view with_point(const CsvCell& cell, std::size_t line) {
+    const auto mark = cell.text.find_first_of(",.");
+    if (separator_ == ',' || mark == cell.text.npos) return cell.text;
+    if (mark_ == 0) mark_ = cell.text[mark], line_ = line;
+    if (cell.text.find(mark_ == ',' ? '.' : ',') != cell.text.npos)
+      fail_at(file_, line, cell.column,
+              fmt::format("'{}' is ambiguous, as line {} has a decimal {}; allowed: the same in all numbers, "
+                          "and nothing between thousands",
+                          cell.text, line_, mark_ == ',' ? "comma" : "point"));
+    if (mark_ == '.') return cell.text;
+    text_ = cell.text;
+    text_[mark] = '.';
+    return text_;
+  }
+
+  const std::filesystem::path& file_;
+  char separator_;
+  char mark_ = 0;         // the first decimal comma or point
+  std::size_t line_ = 0;  // its line
+  std::string text_;
+};
 
 }  // namespace
 
@@ -126,15 +168,16 @@ std::optional<std::string> comment_of(const std::string& line) {
   if (in_quotes) ++begin;
   skip_blanks();
   if (begin >= end || line[begin] != '#') return std::nullopt;
-  while (is_blank(line[end - 1]) || line[end - 1] == ',') --end;
+  while (is_blank(line[end - 1]) || line[end - 1] == ',' || line[end - 1] == ';') --end;
   if (in_quotes && line[end - 1] == '"') --end;
   return line.substr(begin, end - begin);
 }
 
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header) {
-  const bool other_separator = header.size() == 1 && header.front().find_first_of(";\t") != std::string::npos;
+  const bool other_separator =
+      std::ranges::any_of(header, [](const auto& one) { return one.find_first_of(";\t") != one.npos; });
   return fmt::format("{}: no such column, the header has {}{}", name, fmt::join(header, ", "),
-                     other_separator ? "; put commas between columns" : "");
+                     other_separator ? "; put names with commas in quotes" : "");
 }
 
 CsvHeader read_csv_header(const std::filesystem::path& file) {
@@ -145,7 +188,7 @@ CsvHeader read_csv_header(const std::filesystem::path& file) {
   for (std::string line; lines.next(line);) {
     if (holds_nothing(line)) continue;
     header.line = lines.number();
-    split_row(line, cells);
+    split_row(line, separator_of(line), cells);
     cells.resize(std::max<std::size_t>(filled(cells), 1));
     for (const auto& cell : cells) header.names.emplace_back(cell.text);
     return header;
@@ -162,20 +205,25 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
   std::vector<std::size_t> indices;
   std::vector<CsvCell> row;
   std::size_t width = 0;
+  char separator = ',';
+  std::optional<NumberReader> numbers;  // once the header is read
   for (std::string line; lines.next(line);) {
     if (holds_nothing(line)) continue;
-    split_row(line, row);
-    if (indices.empty()) {
+    if (!numbers) {
+      separator = separator_of(line);
+      split_row(line, separator, row);
+      numbers.emplace(file, separator);
       indices = find_columns(row, table, lines.number());
       width = filled(row);
       continue;
     }
-    check_width(row, width, file, lines.number());
+    split_row(line, separator, row);
+    numbers->check_width(row, width, lines.number());
     if (table.rows() == most_rows)
       fail_at(file, lines.number(), 1, fmt::format("is more than {} rows", most_rows));
     table.lines.push_back(static_cast<std::uint32_t>(lines.number()));
     for (std::size_t c = 0; c < count; ++c) {
-      table.values[c].push_back(cell_number(row, indices[c], file, lines.number()));
+      table.values[c].push_back(numbers->read(row, indices[c], lines.number()));
       table.positions[c].push_back(static_cast<std::uint32_t>(row[indices[c]].column));
     }
   }

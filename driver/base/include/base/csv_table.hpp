@@ -40,11 +40,12 @@ CsvHeader read_csv_header(const std::filesystem::path& file);
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header);
 
 /// Reads a CSV file with a header row; `#` lines and empty lines are skipped; quotes, blanks and control
-/// characters around a cell are removed.
+/// characters around a cell are removed. Columns are separated by commas; by semicolons or tabs if the header
+/// has these and no comma outside quotes, and then numbers may have decimal commas.
 /// Throws CaseError at the place of the fault if
 /// - the file cannot be read or has more than 20 million rows,
 /// - a column or a cell is missing, or a row has too many cells,
-/// - a cell is not a finite number.
+/// - a cell is not a finite number, or has a decimal comma where another has a point.
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names);
 
 }  // namespace driver
