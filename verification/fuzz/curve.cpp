@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes are the CSV file of a case's curve, or are refused at their place.
-#include "base/case_reader.hpp"
+#include "base/curve_reader.hpp"
 #include "bytes.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     driver::CaseDocument document(toml, {});
     driver::TableReader root = document.root();
-    const driver::CurveData curve = root.at("flow").curve(driver::any_number);
+    const driver::CurveData curve = driver::CurveReader(root, "flow").curve(driver::any_number);
     fuzz::require(curve.time.size() == curve.value.size(), "a value for each time");
     for (std::size_t i = 1; i < curve.time.size(); ++i)
       fuzz::require(curve.time[i] >= curve.time[i - 1], "times do not fall");

@@ -19,7 +19,7 @@ def read_keys(tree, paths):
     """Keys that the code asks a table for."""
     text = "".join(tree.read(path) for path in paths).replace("\n", "")
     return re.findall(r'[^a-z_](?:at|number|table|optional_table|tables)\(\s*"([a-z_0-9]+)"', text) + re.findall(
-        r'\(\*?(?:table|reader|base), "([a-z_0-9]+)"', text) + re.findall(r'\{"([a-z_0-9]+)", &Options::', text)
+        r'\(\*?(?:table|reader|base|tank), "([a-z_0-9]+)"', text) + re.findall(r'\{"([a-z_0-9]+)", &Options::', text)
 
 
 def row_keys(text):

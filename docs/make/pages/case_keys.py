@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 CASES = ["cases/*.toml", "cases/reference/*.toml", "verification/rules/keys/*.toml"]
 HEAD = "| key | meaning | unit | allowed | default |"
 OF_A_CURVE = {"time", "overpressure", "strain", "mass_ratio", "value", "file", "time_column", "overpressure_column", "strain_column",
-              "mass_ratio_column", "column"}
+              "mass_ratio_column", "column", "scale", "offset", "time_scale", "shift", "cumulative", "units"}
 
 
 def shown(allowed):
@@ -44,6 +44,8 @@ def keys_of(gasjet):
         above, _, name = path.rpartition(".")
         if above in curves and above.endswith("composition"):
             continue
+        if above.endswith(".units") and above[:-6] in curves:
+            path = f"curve.units.{name}"
         if above in curves and name in OF_A_CURVE:
             path, facts[0] = f"curve.{name}", ""
         if facts not in keys.setdefault(path, []):

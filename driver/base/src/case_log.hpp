@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/case_reader.hpp"
+#include "base/curve_reader.hpp"
 
 namespace driver {
 
@@ -12,6 +13,8 @@ struct CaseLog {
   std::vector<std::filesystem::path> files;  // files named in the case, read so far
   std::vector<KnownKey> keys;                // keys that the program has asked for, in that order
   std::set<std::string> may_be_absent;       // paths passed to TableReader::has
+  std::vector<UsedCurve> curves;             // in the order of reading
+  std::optional<double> ambient_pressure;    // [Pa]; none in a scene without gas
 };
 
 /// `key` as a part of a path; quoted unless it is a word.

@@ -129,6 +129,19 @@ std::size_t entry_of(const toml::array& list, const Path& parts, std::size_t i, 
                   list.size() == 1 ? with(0) : fmt::format("{} to {}", with(0), with(list.size() - 1))));
 }
 
+// A number of which a path names `part` becomes the constant { value = number }, which has that part: an
+// override can scale it.
+void make_constant(toml::table& table, const std::string& key, const std::string& part,
+                   const std::string& option) {
+  // With the last three of these the reader says what a constant may have.
+  constexpr std::string_view parts[] = {"scale", "offset", "units", "time_scale", "shift", "cumulative"};
+  const toml::node* node = table.get(key);
+  if (!node->is_number() || std::ranges::find(parts, part) == std::end(parts)) return;
+  toml::table constant = std::move(*toml::parse("value = {}", option).get_as<toml::table>("value"));
+  node->visit([&](const auto& number) { constant.insert("value", number); });
+  table.insert_or_assign(key, std::move(constant));
+}
+
 // The node that part i of a path names inside `parent`. Makes a missing table; the strict reader checks it
 // later.
 toml::node& descend(toml::node& parent, const Path& parts, std::size_t i, const std::string& override_text) {
@@ -136,6 +149,7 @@ toml::node& descend(toml::node& parent, const Path& parts, std::size_t i, const 
   if (auto* table = parent.as_table()) {
     if (!table->contains(key))
       table->insert(key, std::move(*toml::parse("value = {}", option_of(override_text)).get("value")));
+    make_constant(*table, key, parts[i + 1].key, option_of(override_text));
     return *table->get(key);
   }
   if (auto* array = parent.as_array())
@@ -257,6 +271,10 @@ std::vector<std::filesystem::path> CaseDocument::files() const {
 
 const std::vector<Setting>& CaseDocument::settings() const {
   return log_->settings;
+}
+
+const std::vector<UsedCurve>& CaseDocument::used_curves() const {
+  return log_->curves;
 }
 
 const std::vector<KnownKey>& CaseDocument::keys() const {

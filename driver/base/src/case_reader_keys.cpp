@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of keys, except curves and compositions (case_reader_curves.cpp).
+// The values of keys, except curves (curve_reader.cpp).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,6 +17,12 @@ constexpr const char* three_numbers = "an array of 3 numbers";
 
 std::string text_of(const Eigen::Vector3d& vector) {
   return fmt::format("[{}, {}, {}]", vector.x(), vector.y(), vector.z());
+}
+
+// A number of which an override names the scale.
+bool is_changed_constant(const toml::node& node) {
+  const auto* table = node.as_table();
+  return table && table->contains("value");
 }
 
 }  // namespace
@@ -44,9 +50,11 @@ void KeyReader::remember(const std::string& value, bool is_default) {
 double KeyReader::checked(const toml::node& node, Bounds bounds) const {
   const auto value = node.value<double>();
   if (!node.is_number() || !value)
-    fail(fmt::format("is {}, allowed: {}", type_name(node), with_unit(bounds.text, bounds.unit)));
-  const bool too_low = bounds.open_low ? *value <= bounds.low : *value < bounds.low;
-  if (!std::isfinite(*value) || too_low || *value > bounds.high)
+    fail(fmt::format("{}, allowed: {}",
+                     is_changed_constant(node) ? "is no curve and has no scale, offset or units"
+                                               : fmt::format("is {}", type_name(node)),
+                     with_unit(bounds.text, bounds.unit)));
+  if (!std::isfinite(*value) || !bounds.contain(*value))
     fail(fmt::format("is {}, allowed: {}", *value, with_unit(bounds.text, bounds.unit)));
   return *value;
 }
@@ -194,6 +202,20 @@ std::vector<std::string> KeyReader::texts(const char* in_words) {
     }
   remember(fmt::format("[{}]", fmt::join(written, ", ")), node == nullptr);
   return values;
+}
+
+std::map<std::string, double> KeyReader::composition() {
+  const toml::node& node = table_->require(key_, "", "a composition", "a table");
+  TableReader reader = table_->below(key_, node);
+  std::map<std::string, double> fractions;
+  double sum = 0.0;
+  for (const auto& [key, value] : *node.as_table()) {
+    const std::string name(key.str());
+    sum += fractions[name] = reader.at(name).number(positive_fraction);
+  }
+  // Fractions are typed by hand: nine digits distinguish a slip from rounding.
+  if (std::abs(sum - 1.0) > 1e-9) fail(fmt::format("fractions sum to {}, allowed: 1", sum));
+  return fractions;
 }
 
 std::vector<KeyReader::Element> KeyReader::elements() {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/curve_reader.hpp"
 #include "commands/command.hpp"
 #include "engine/bag_mesh.hpp"
 #include "engine/drift.hpp"
@@ -27,6 +28,22 @@ void print_settings(const CaseDocument& document) {
   fmt::print("settings (* by default)\n");
   for (const auto& setting : document.settings())
     fmt::print("  {}{} = {}\n", setting.path, setting.is_default ? " *" : "", setting.value);
+}
+
+// Curves that are in files, or that units, scale and the like change.
+void print_curves(const CaseDocument& document) {
+  if (!document.used_curves().empty()) fmt::print("curves as they are used\n");
+  for (const auto& [path, is_changed, abscissa, unit, data] : document.used_curves()) {
+    const auto [low, high] = std::ranges::minmax(data.value);
+    if (data.time.empty()) {
+      fmt::print("  {}: {:.6g} {}\n", path, low, unit);
+      continue;
+    }
+    fmt::print("  {}: {} knots, {} {:.6g} to {:.6g}, values {:.6g} to {:.6g} {}", path, data.time.size(),
+               abscissa, data.time.front(), data.time.back(), low, high, unit);
+    if (unit == "kg/s") fmt::print(", in all {:.6g} kg", integral(data));
+    fmt::print("\n");
+  }
 }
 
 // A line for each possible key of the case: path, unit, allowed values, default; separated by tabs.
@@ -225,6 +242,7 @@ int check(const CaseArguments& arguments, const std::string& format) {
     return exit_done;
   }
   print_settings(document);
+  print_curves(document);
   fmt::print("\nderived\n");
   const double gamma = gamma_at_start(state, groups);
   if (scene.has_volume())

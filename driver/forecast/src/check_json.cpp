@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/curve_reader.hpp"
 #include "base/json_head.hpp"
 #include "engine/bag_mesh.hpp"
 #include "engine/drift.hpp"
@@ -38,6 +39,18 @@ Json defaults_of(const CaseDocument& document) {
   for (const auto& setting : document.settings())
     if (setting.is_default) defaults.push_back(setting.path);
   return defaults;
+}
+
+// Curves that units, scale and the like change, as they are used.
+Json curves_of(const CaseDocument& document) {
+  Json curves = Json::object();
+  for (const auto& curve : document.used_curves())
+    if (curve.is_changed)
+      curves[curve.path] = {{"abscissa", curve.abscissa},
+                            {"unit", curve.unit},
+                            {"knots", curve.data.time},
+                            {"values", curve.data.value}};
+  return curves;
 }
 
 Json species_of(const gas::Thermo& thermo) {
@@ -208,11 +221,13 @@ std::string check_json(const CaseDocument& document, const Scene& scene, const S
                       {"verdict", verdict(g)}});
   auto warnings = scene.warnings;
   if (std::string advice = gas_advice(scene, f); !advice.empty()) warnings.push_back(std::move(advice));
+  Json derived = derived_of(scene, state, f);
+  if (Json curves = curves_of(document); !curves.empty()) derived["curves"] = std::move(curves);
   auto all = json_head<Json>();
   all.update({{"settings", settings_of(document)},
               {"defaults", defaults_of(document)},
               {"warnings", warnings},
-              {"derived", derived_of(scene, state, f)},
+              {"derived", derived},
               {"forecast", groups}});
   if (scene.gas) all["species"] = species_of(scene.gas->model.thermo);
   return all.dump(2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strict reading of a case file (TOML). Each value is checked when it is read. An unknown or missing key is
 // an error `file:line:column: key: what is wrong, what is allowed`. Defaults used are recorded for `gasjet
-// check`.
+// check`. Curves have a reader of their own (curve_reader.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -44,6 +44,9 @@ struct Bounds {
   const char* text = "a finite number";  // text of the range, in messages and in the reference of keys
   const char* unit = "";                 // unit of the number; empty if it has none
 
+  constexpr bool contain(double value) const {
+    return value >= low && value <= high && !(open_low && value == low);
+  }
   constexpr Bounds in(const char* its_unit) const { return {low, high, open_low, text, its_unit}; }
 };
 inline constexpr Bounds any_number{};
@@ -91,13 +94,7 @@ bool is_like(std::string_view a, std::string_view b);
 /// `text` in quotes that TOML and JSON both read.
 std::string quoted(const std::string& text);
 
-/// A piecewise linear curve as given: knots [s], and values in the unit of the key. Two knots at one time
-/// make a jump.
-struct CurveData {
-  std::vector<double> time;
-  std::vector<double> value;
-};
-
+struct UsedCurve;
 struct CaseLog;  // settings and keys read so far; folder of the case file
 class TableReader;
 
@@ -131,16 +128,6 @@ class KeyReader {
   std::vector<Element> elements();
   Eigen::Vector3d vector(const char* unit);
   Eigen::Vector3d vector(const char* unit, const Eigen::Vector3d& fallback, const char* in_words = nullptr);
-  /// Reads a curve, in one of three forms:
-  /// - a number: a constant; `time` is then empty;
-  /// - { time = [..], value = [..] };
-  /// - { file = "curve.csv", column = "name" }.
-  ///
-  /// A curve against another quantity has its name in place of "time", as in { overpressure = [..], value =
-  /// [..] }; pass it as `abscissa`. The result's knots are in `time` all the same. Only a curve of time may
-  /// jump. The key may be missing if there is a `fallback`, a constant.
-  CurveData curve(Bounds value_bounds, const std::string& abscissa = "time",
-                  std::optional<double> fallback = {});
   /// Reads { name = fraction, ... }: each in (0, 1], with sum 1 within 1e-9. Returns them as given.
   std::map<std::string, double> composition();
 
@@ -153,6 +140,7 @@ class KeyReader {
   }
 
  private:
+  friend class CurveReader;
   std::size_t choice_index(const std::vector<std::string>& names, const std::string& fallback);
   std::string read_text(const std::string& allowed, const std::string& fallback);
   double checked(const toml::node& node, Bounds bounds) const;
@@ -206,6 +194,7 @@ class TableReader {
 
  private:
   friend class KeyReader;
+  friend class CurveReader;
   const toml::node* find(const std::string& key, const std::string& unit, const std::string& allowed,
                          const std::string& fallback);
   const toml::node& require(const std::string& key, const std::string& unit, const std::string& allowed,
@@ -248,6 +237,8 @@ class CaseDocument {
   /// The keys that the program has asked for so far, in that order, including keys of curves and
   /// compositions.
   const std::vector<KnownKey>& keys() const;
+  /// Curves read so far that the case does not show as they are used.
+  const std::vector<UsedCurve>& used_curves() const;
   const std::filesystem::path& file() const { return file_; }
   /// The case file and those files named in it that have been read.
   std::vector<std::filesystem::path> files() const;

@@ -2,7 +2,7 @@
 // Curves of a case as libgas takes them.
 #pragma once
 
-#include "base/case_reader.hpp"
+#include "base/curve_reader.hpp"
 #include "gas/curve.hpp"
 
 namespace driver {

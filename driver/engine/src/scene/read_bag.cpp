@@ -127,7 +127,7 @@ std::optional<gas::Curve> read_overpressure(TableReader& table, const Scene& sce
   std::optional<gas::Curve> curve;
   if (!scene.gas)
     table.located("overpressure", [&] {
-      curve = to_gas_curve(table.at("overpressure").curve(any_number.in("Pa")), gas::Outside::held);
+      curve = to_gas_curve(CurveReader(table, "overpressure").curve(any_number.in("Pa")), gas::Outside::held);
     });
   return curve;
 }

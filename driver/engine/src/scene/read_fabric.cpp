@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/curve_reader.hpp"
 #include "membrane/law_table.hpp"
 #include "scene/read_openings.hpp"
 
@@ -89,7 +90,7 @@ void read_panels(TableReader& table, const mesh::Mesh& mesh, const std::vector<s
 
 // The places of faults are those of the key, whatever the library says of the whole.
 membrane::StressCurve read_stress_curve(TableReader& table, const char* key) {
-  CurveData data = table.at(key).curve(non_negative.in("Pa"), "strain");
+  CurveData data = CurveReader(table, key).curve(non_negative.in("Pa"), "strain");
   const auto fail = [&](const std::string& what) { table.fail(key, what); };
   if (data.time.empty()) fail("is a number, allowed: a curve of stress over strain");
   if (data.time.size() > membrane::kMostCurvePoints)

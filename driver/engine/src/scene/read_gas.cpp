@@ -119,10 +119,12 @@ std::optional<NamedComposition> read_ambient_composition(TableReader& root,
 gas::Inflow read_inflow(TableReader& reader, std::vector<double> fractions, TriggerNames& names) {
   std::optional<gas::Curve> mass_flow, temperature;
   reader.located("mass_flow", [&] {
-    mass_flow = to_gas_curve(reader.at("mass_flow").curve(non_negative.in("kg/s")), gas::Outside::zero);
+    mass_flow =
+        to_gas_curve(CurveReader(reader, "mass_flow").curve_or_integral(non_negative.in("kg/s"), "kg"),
+                     gas::Outside::zero);
   });
   reader.located("temperature", [&] {
-    temperature = to_gas_curve(reader.at("temperature").curve(gas_temperature), gas::Outside::held);
+    temperature = to_gas_curve(CurveReader(reader, "temperature").curve(gas_temperature), gas::Outside::held);
   });
   const double start = reader.at("start_time").number(non_negative.in("s"), 0.0);
   return {std::move(fractions), *mass_flow, *temperature, start, names.optional_node(reader)};

@@ -83,7 +83,8 @@ jet::JetModel read_model(TableReader& table) {
 
 // A number goes to the model; a curve is returned, with its first value in the model.
 std::optional<gas::Curve> read_restitution(TableReader& table, bool has_volume, jet::JetModel& model) {
-  const CurveData data = table.at("restitution").curve(restitution_range, "mass_ratio", model.restitution);
+  const CurveData data =
+      CurveReader(table, "restitution").curve(restitution_range, "mass_ratio", model.restitution);
   if (!data.time.empty() && data.time.front() < 0.0)
     table.fail("restitution",
                fmt::format("begins at a mass_ratio of {:.3g}, allowed: 0 or more: injected over "

@@ -13,16 +13,17 @@ namespace {
 
 gas::Vent read_vent(TableReader& table, TriggerNames& names) {
   gas::Vent vent{table.at("discharge_coefficient").number(positive_fraction, 1.0), 0.0};
-  if (!table.is_table("area")) {
-    vent.area = table.at("area").number(positive.in("m²"));
-  } else if (table.has_in_table("area", "overpressure")) {
+  CurveReader area(table, "area");
+  if (!table.is_table("area") || area.is_constant()) {
+    vent.area = area.constant(positive.in("m²"));
+  } else if (area.is_against("overpressure")) {
     table.located("area", [&] {
       vent.area_of_overpressure =
-          to_gas_curve(table.at("area").curve(non_negative.in("m²"), "overpressure"), gas::Outside::held);
+          to_gas_curve(area.curve(non_negative.in("m²"), "overpressure"), gas::Outside::held);
     });
   } else {
     table.located("area", [&] {
-      vent.area_of_time = to_gas_curve(table.at("area").curve(non_negative.in("m²")), gas::Outside::held);
+      vent.area_of_time = to_gas_curve(area.curve(non_negative.in("m²")), gas::Outside::held);
     });
   }
   vent.backflow = table.at("backflow").flag(false);
@@ -92,7 +93,7 @@ void read_volume_of_time(TableReader& tank, double end_time, GasPart& part) {
     volume = read_wave(tank.table("volume"), end_time);
   else
     tank.located("volume", [&] {
-      volume.table = to_gas_curve(tank.at("volume").curve(gas_volume), gas::Outside::held);
+      volume.table = to_gas_curve(CurveReader(tank, "volume").curve(gas_volume), gas::Outside::held);
       if (const auto jump = volume.table->first_jump())
         throw std::invalid_argument(fmt::format(
             "jumps at {} s, allowed: one value at each time, as the work of a jump is unbounded", *jump));
@@ -103,7 +104,8 @@ void read_volume_of_time(TableReader& tank, double end_time, GasPart& part) {
 
 void read_volume_of_overpressure(TableReader& tank, GasPart& part) {
   tank.located("volume", [&] {
-    const auto curve = to_gas_curve(tank.at("volume").curve(gas_volume, "overpressure"), gas::Outside::held);
+    const auto curve =
+        to_gas_curve(CurveReader(tank, "volume").curve(gas_volume, "overpressure"), gas::Outside::held);
     const double overpressure = part.initial_pressure - part.model.ambient.pressure;
     part.model.volume_of_overpressure = curve;
     gas::validate(part.model);
@@ -124,8 +126,8 @@ void warn_of_screen(const std::string& fabric, LeakLaw law, Scene& scene) {
 }
 
 gas::Curve read_leak_velocity(TableReader& table) {
-  const auto velocity =
-      to_gas_curve(table.at("velocity").curve(non_negative.in("m/s"), "overpressure"), gas::Outside::held);
+  const auto velocity = to_gas_curve(
+      CurveReader(table, "velocity").curve(non_negative.in("m/s"), "overpressure"), gas::Outside::held);
   // The flow would jump where the overpressure changes its sign.
   if (const double leak_at_rest = velocity.value(0.0); leak_at_rest > 0.0)
     table.fail("velocity",
@@ -144,11 +146,12 @@ void read_tank(TableReader& root, Scene& scene) {
   auto tank = root.optional_table("tank");
   if (!tank) return;
   GasPart& part = *scene.gas;
-  if (!tank->is_table("volume"))
-    part.rigid_volume = tank->at("volume").number(gas_volume);
-  else if (tank->has_in_table("volume", "overpressure"))
+  CurveReader volume(*tank, "volume");
+  if (!tank->is_table("volume") || volume.is_constant())
+    part.rigid_volume = volume.constant(gas_volume);
+  else if (volume.is_against("overpressure"))
     read_volume_of_overpressure(*tank, part);
-  else if (tank->has_in_table("volume", "time") || tank->has_in_table("volume", "mean"))
+  else if (volume.is_against("time") || tank->has_in_table("volume", "mean"))
     read_volume_of_time(*tank, scene.time.end, part);
   else
     tank->fail("volume",

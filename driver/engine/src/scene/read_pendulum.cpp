@@ -40,7 +40,7 @@ PendulumPart read_model(TableReader& table, const Eigen::Vector3d& gravity) {
   if (table.has("driving_moment"))
     table.located("driving_moment", [&] {
       part.driving_moment =
-          to_gas_curve(table.at("driving_moment").curve(any_number.in("N m")), gas::Outside::zero);
+          to_gas_curve(CurveReader(table, "driving_moment").curve(any_number.in("N m")), gas::Outside::zero);
     });
   return part;
 }

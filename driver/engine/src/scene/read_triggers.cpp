@@ -16,8 +16,9 @@ namespace {
 gas::Sensor read_signal(TableReader& table) {
   std::optional<gas::Curve> signal;
   const double above = table.at("above").number(any_number);
-  table.located("signal",
-                [&] { signal = to_gas_curve(table.at("signal").curve(any_number), gas::Outside::held); });
+  table.located("signal", [&] {
+    signal = to_gas_curve(CurveReader(table, "signal").curve(any_number), gas::Outside::held);
+  });
   return {gas::SensorKind::signal, above, {}, signal};
 }
 

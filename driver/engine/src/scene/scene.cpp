@@ -7,6 +7,7 @@
 #include <new>
 #include <string_view>
 
+#include "base/curve_reader.hpp"
 #include "base/formats.hpp"
 #include "base/number_text.hpp"
 #include "base/progress.hpp"
@@ -50,6 +51,7 @@ std::optional<TableReader> read_ambient(TableReader& root, Scene& scene) {
   }
   TableReader table = *root.optional_table("ambient", true);
   scene.ambient.pressure = table.at("pressure").number(non_negative.in("Pa"), scene.ambient.pressure);
+  CurveReader::set_ambient_pressure(root, scene.ambient.pressure);
   scene.ambient.temperature = table.at("temperature").number(gas_temperature, scene.ambient.temperature);
   return table;
 }
