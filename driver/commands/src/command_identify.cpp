@@ -13,15 +13,15 @@
 #include "engine/species.hpp"
 #include "input_files.hpp"
 #include "results/results.hpp"
+#include "tank_readings.hpp"
 #include "tank_test/identify.hpp"
 #include "tank_test/smoothing_spline.hpp"
 
 namespace driver::commands {
 namespace {
 
-constexpr double kAtmosphere = 101325.0;  // [Pa]
-constexpr double kThinned = 0.1;          // share of an atmosphere: few tanks are evacuated further before a
-                                          // test
+constexpr double kThinned = 0.1;  // share of an atmosphere: few tanks are evacuated further before a
+                                  // test
 
 /// Reads NAME or NAME=FRACTION,...; "air" alone means its four species.
 std::vector<gas::Component> read_composition(const std::string& option, const std::string& text) {
@@ -91,20 +91,6 @@ gas::TankTest tank_test(const IdentifyArguments& a) {
           a.mass};
 }
 
-CsvTable read_readings(const IdentifyArguments& a) {
-  std::vector<std::string> columns{a.time_column, a.tank_column};
-  if (a.method == "dual") columns.push_back(a.chamber_column);
-  CsvTable table = read_csv(a.file, columns);
-  if (table.rows() < gas::SmoothingSpline::kFewestReadings)
-    throw CaseError(fmt::format("{}:{}:1: {}: has {} readings, needed: {} or more", a.file.string(),
-                                table.rows() > 0 ? table.lines.back() : 1, a.time_column, table.rows(),
-                                gas::SmoothingSpline::kFewestReadings));
-  if (table.values[0].front() < 0.0)
-    table.fail(0, 0,
-               fmt::format("{} s: time counts from firing, allowed: 0 or more", table.values[0].front()));
-  return table;
-}
-
 /// The library's message with the name of the option as typed.
 std::string as_typed(const std::string& message) {
   static const std::pair<const char*, const char*> options[] = {
@@ -133,8 +119,8 @@ gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, c
   } catch (const gas::ReadingError& error) {
     const std::size_t column = error.series == "time" ? 0 : error.series == "tank pressure" ? 1 : 2;
     std::string what = error.what();
-    if (column > 0 && table.values[column][error.index] < kThinned * kAtmosphere)
-      what += "; pressures are absolute";
+    if (column > 0 && table.values[column][error.index] < kThinned * standard_atmosphere)
+      what += "; pressures are absolute unless their unit says gauge";
     if (column == 2 && of_reading)
       what += "; for noise that is constant over the record use --noise full-scale";
     table.fail(column, error.index, what);
@@ -174,6 +160,7 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
       {"gas", fmt::format("{} by {} into {}, {} cp, tank of {} m3, {} kg, {} K at first", a.gas, a.by,
                           a.tank_gas, a.thermodynamics, a.volume, a.mass, a.initial_temperature)},
       {"tank_pressure", text(a, found.tank)}};
+  if (const auto units = units_text(a); !units.empty()) lines.push_back({"units", units});
   if (!a.species.empty()) lines.push_back({"species", "built-in and " + a.species.string()});
   if (dual) lines.push_back({"chamber_pressure", text(a, found.chamber)});
   const auto with_band = [&](double value, const gas::Band& band) {
@@ -225,10 +212,10 @@ std::vector<std::string> doubts(const gas::Identified& found) {
   std::vector<std::string> doubts;
   const auto& points = found.points;
   const double first = points.front().tank_pressure;
-  if (first < kThinned * kAtmosphere)
+  if (first < kThinned * standard_atmosphere)
     doubts.push_back(
         fmt::format("the tank is at {:.3g} Pa at first, less than a tenth of an atmosphere: check that "
-                    "pressures are absolute",
+                    "pressures are absolute, or give --tank-unit",
                     first));
   add_clipping("tank", found.tank_clipping, "", doubts);
   add_clipping("chamber", found.chamber_clipping, " or --method average", doubts);
@@ -240,7 +227,10 @@ std::vector<std::string> doubts(const gas::Identified& found) {
                     100.0 * found.forward_error, 100.0 * found.forward_noise));
   constexpr double longest = 5.0;  // [s] of a record; inflators burn for a tenth of a second
   if (const double length = points.back().time - points.front().time; length > longest)
-    doubts.push_back(fmt::format("the record is {:.3g} s long: check that times are in seconds", length));
+    doubts.push_back(
+        fmt::format("the record is {:.3g} s long: check that times are in seconds, or "
+                    "give --time-unit",
+                    length));
   const auto peak = std::ranges::max_element(points, {}, &gas::IdentifiedPoint::mass_flow);
   if (!points.back().masked)
     doubts.push_back(

@@ -6,6 +6,7 @@
 #include "base/build_info.hpp"
 #include "commands/command.hpp"
 #include "commands/program.hpp"
+#include "identify_options.hpp"
 #include "manual.hpp"
 #include "mesh_options.hpp"
 #include "validators.hpp"
@@ -129,40 +130,6 @@ void add_others(CLI::App& app, Arguments& all) {
       ->check(not_empty("first:last:step"));
   exact->add_option("--format", all.exact.format, "csv or json; of --list markdown or json")
       ->check(CLI::IsMember({"csv", "json", "markdown"}));
-}
-
-void add_identify(CLI::App& app, IdentifyArguments& a) {
-  auto* c = app.add_subcommand("identify", "tank test: mass flow and temperature from measured pressures");
-  const auto add = [&](const char* name, auto& value, const char* text) {
-    return c->add_option(name, value, text)->capture_default_str()->check(given);
-  };
-  c->add_option("DATA", a.file,
-                "CSV of readings, with a header row; time [s] from firing, pressures [Pa] absolute")
-      ->required();
-  c->add_option("--out", a.out, "CSV of the curves, for a case file")->required()->check(named);
-  c->add_option("--method", a.method, "average (temperature) or dual (pressure: tank and chamber)")
-      ->required()
-      ->check(CLI::IsMember({"average", "dual"}));
-  c->add_option("--volume", a.volume, "volume of the tank [m3]")->required()->check(given);
-  c->add_option("--mass", a.mass, "total mass that the inflator delivers [kg]")->required()->check(given);
-  c->add_option("--gas", a.gas,
-                "gas of the inflator: NAME, air or NAME=FRACTION,... (N2=0.7,CO2=0.3), see --by")
-      ->required();
-  add("--tank-gas", a.tank_gas, "gas in the tank before firing");
-  add("--by", a.by, "meaning of the fractions of --gas and --tank-gas; air is always by mole")
-      ->check(CLI::IsMember({"mass", "mole"}));
-  add("--thermodynamics", a.thermodynamics, "cp")->check(CLI::IsMember({"nasa7", "constant"}));
-  c->add_option("--species", a.species, "TOML file with more gases, [[gas.species]] as in a case")
-      ->check(named);
-  add("--initial-temperature", a.initial_temperature, "of the tank's gas [K]");
-  add("--time-column", a.time_column, "name in the header");
-  add("--tank-column", a.tank_column, "name in the header");
-  add("--chamber-column", a.chamber_column, "name in the header");
-  add("--noise", a.noise, "the gauges' noise is a fixed share of the reading, or of the full scale")
-      ->check(CLI::IsMember({"reading", "full-scale"}));
-  add("--threshold", a.threshold, "rows with |K| below this fraction of the largest are masked");
-  add("--points", a.points, "rows of the curves, equally spaced");
-  add("--draws", a.draws, "random draws behind the 95 % bands");
 }
 
 void add_compare(CLI::App& app, CompareArguments& a) {
