@@ -60,6 +60,19 @@ def test_study_designs():
     for share in ("first_order", "total"):
         assert float(shares["inflator.0.mass_flow"][share + "_low"]) < 1 < float(shares["inflator.0.mass_flow"][share + "_high"])
         assert float(shares["ambient.temperature"][share + "_high"]) < 1e-6
+    # The scale of a flow that is a number, and of a cumulative curve in grams: both are the pressure's only factors.
+    scale = factor("inflator.0.mass_flow.scale", 'name = "scale"', "range = [0.9, 1.1]")
+    tank_plan('design = "sobol_indices"', "points = 32", *scale, *factor("inflator.0.mass_flow.offset", "range = [0, 1e-9]"))
+    expect(0, "128 of 128 runs", "study run plan.toml --out scales")
+    shares = {row["factor"]: row for row in table("scales/sobol.csv")}
+    assert float(shares["scale"]["first_order_low"]) < 1 < float(shares["scale"]["first_order_high"])
+    cumulative = ("inflator.0.mass_flow={ time = [0, 30, 80], value = [0, 50, 81], cumulative = true, units = { time = 'ms', value = 'g' } }")
+    plan('quantities = ["gas_mass_kg"]', f'set = ["{cumulative}"]', *factor("inflator.0.mass_flow.scale", "values = [0.5, 1, 1.5]"),
+              *factor("inflator.0.mass_flow.time_scale", "values = [0.5, 1]"))
+    expect(0, "6 of 6 runs: 6 done", "study run plan.toml --out masses")
+    masses = [float(row["gas_mass_kg"]) for row in table("masses/results.csv")]
+    air = 101325 * 0.06 / (296.8 * 293.15)
+    assert masses == pytest.approx([air + 0.081 * share for share in (0.5, 0.5, 1, 1, 1.5, 1.5)], rel=1e-12)
     tank_plan('design = "latin_hypercube"', "points = 20", *flow('name = "flow"', "range = [0.05, 0.15]"), "[analysis]", "response_surface = true")
     expect(0, "20 of 20 runs", "study run plan.toml --out surface")
     terms = {row["term"]: float(row["coefficient"]) for row in table("surface/surface.csv")}

@@ -77,6 +77,25 @@ TEST(deck_gas, constant_flow_that_begins_later_is_zero_before) {
   }
 }
 
+// 40 g in 20 ms, then 16 g in 40 ms, of which 0.75 is used: the deck has rates, with jumps of a millionth of
+// the end (60 ms).
+TEST(deck_gas, cumulative_curve_in_other_units_is_a_rate) {
+  const Settings settings{
+      "inflator.0.mass_flow={ time = [0, 20, 60], value = [0, 40, 56], cumulative = true, units = { time = "
+      "\"ms\", value = \"g\" }, scale = 0.75 }"};
+  for (const DeckFormat format : kFormats) {
+    const Exported made("sphere_inflation", settings, format);
+    const auto& flow = made.deck.inflators.front().mass_flow;
+    double mass = 0.0;
+    for (std::size_t i = 1; i < flow.size(); ++i)
+      mass += 0.5 * (flow[i][0] - flow[i - 1][0]) * (flow[i][1] + flow[i - 1][1]);
+    EXPECT_NEAR(mass, 0.75 * 0.056, 2.0 * 1.5 * 1e-6 * 0.06);  // two jumps of at most 1.5 kg/s
+    EXPECT_NEAR(std::ranges::max(flow, {}, [](const auto& point) { return point[1]; })[1], 1.5, 1e-12);
+    EXPECT_EQ(made.mapping("inflator.0.mass_flow.scale"), "exact");
+    EXPECT_EQ(made.mapping("inflator.0.mass_flow.units.value"), "exact");
+  }
+}
+
 TEST(deck_gas, initial_overpressure_is_there_at_once_or_within_a_pulse) {
   const Exported radioss("sphere_inflation", kHot, DeckFormat::radioss),
       lsdyna("sphere_inflation", kHot, DeckFormat::lsdyna);
