@@ -80,6 +80,13 @@ def test_compare_maps(tank):
     refused("foreign.csv:1:1: time_s: no such column, the header has ms, bar; --map names the columns", judge)
     write("semicolons.csv", read("foreign.csv").replace(",", ";").replace(".", ","))
     expect(0, "^inside", "compare semicolons.csv reference.csv --map map.toml --columns pressure_Pa")
+    write("units.toml", 'format = "csv"', "[time]", 'column = "ms"', 'unit = "ms"', "[[quantity]]", 'name = "pressure_Pa"', 'column = "bar"',
+          'unit = "bar"', "offset = 101325")
+    expect(0, "^inside", f"{judge} --map units.toml --columns pressure_Pa")
+    change("units.toml", ('"bar"\noffset', '"bar gauge"\noffset'), to="bad.toml")
+    refused('bad.toml:8:1: quantity.0.unit: is "bar gauge", which needs the ambient pressure', f"{judge} --map bad.toml")
+    change("units.toml", ('unit = "ms"', 'unit = "K"'), to="bad.toml")
+    refused('bad.toml:4:1: time.unit: is "K", allowed: s, ms, us', f"{judge} --map bad.toml")
     # A column that is needed has to be there, a name to be one of the reference; what a map for many scenes has beside is left out.
     change("map.toml", ('"bar"', '"barr"'), to="bad.toml")
     refused(r"bad.toml:7:1: quantity.0.column: 'barr' is not in .*foreign.csv, the header has ms, bar; is 'bar' meant\?", f"{judge} --map bad.toml")

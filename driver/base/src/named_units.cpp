@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -63,6 +64,23 @@ constexpr TableRow rows[] = {
     {"N m", "N m", {}},
     {"N m", "N mm", {1.0, 1e3}},
     {"N m", "kN m", {1e3}},
+    {"m", "m", {}},
+    {"m", "cm", {1.0, 1e2}},
+    {"m", "mm", {1.0, 1e3}},
+    {"m/s2", "m/s2", {}},
+    {"m/s2", "mm/s2", {1.0, 1e3}},
+    {"m/s2", "mm/ms2", {1e3}},
+    {"m/s2", "g", {9.80665}},
+    {"rad", "rad", {}},
+    {"rad", "deg", {M_PI, 180.0}},
+    {"rad/s", "rad/s", {}},
+    {"rad/s", "rad/ms", {1e3}},
+    {"rad/s", "deg/s", {M_PI, 180.0}},
+    {"N", "N", {}},
+    {"N", "kN", {1e3}},
+    {"J", "J", {}},
+    {"J", "kJ", {1e3}},
+    {"J", "mJ", {1.0, 1e3}},
     {"", "1", {}},
     {"", "%", {1.0, 1e2}},
 };

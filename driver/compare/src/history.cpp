@@ -11,18 +11,21 @@
 #include "abstat.hpp"
 #include "base/case_reader.hpp"
 #include "base/csv_table.hpp"
+#include "base/named_units.hpp"
 #include "ensemble_history.hpp"
 #include "lsdyna_text.hpp"
+#include "results/unit_endings.hpp"
 
 namespace driver {
 namespace {
 
-// value [SI] = scale * (value of the file) + offset
+// value [SI] = scale * (value of the file, by its unit) + offset
 struct MappedColumn {
   std::string name;    // name in Gasjet
   std::string column;  // name in the file; one * stands for any characters
   double scale = 1.0;
   double offset = 0.0;
+  NamedUnit unit = {};
   std::string name_label = {}, column_label = {};  // positions in the map
 };
 
@@ -47,6 +50,10 @@ MappedColumn read_column(TableReader&& table, const std::string& name) {
   column.scale = table.at("scale").number(any_number, 1.0);
   if (column.scale == 0.0) table.fail("scale", "is 0, which erases the column; allowed: another number");
   column.offset = table.at("offset").number(any_number, 0.0);
+  if (table.has("unit"))
+    table.located("unit", [&] {
+      column.unit = unit_named(table.at("unit").text(), unit_by_ending(column.name), PressureZero::vacuum);
+    });
   table.finish();
   return column;
 }
@@ -189,7 +196,7 @@ History in_si_units(CsvTable& table, const std::vector<MappedColumn>& columns) {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     auto values = std::move(table.values[c]);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = columns[c].scale * values[i] + columns[c].offset;
+      values[i] = columns[c].scale * columns[c].unit.to_si(values[i]) + columns[c].offset;
       if (!(std::abs(values[i]) <= largest_magnitude))
         table.fail(c, i, fmt::format("{} in SI units, allowed: a magnitude of at most 1e100", values[i]));
       if (values[i] < 0.0 && columns[c].name.ends_with(band_suffix))

@@ -24,4 +24,11 @@ inline std::string without_unit(std::string_view name) {
   return std::string(name);
 }
 
+/// The unit that a name ends in; empty if it ends in none.
+inline std::string_view unit_by_ending(std::string_view name) {
+  for (const auto& [ending, unit] : unit_endings)
+    if (name.ends_with(ending)) return unit;
+  return {};
+}
+
 }  // namespace driver
