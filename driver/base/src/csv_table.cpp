@@ -30,9 +30,11 @@ std::size_t find_outside_quotes(const std::string& line, char wanted, std::size_
   return begin;
 }
 
-// The character between columns. A header with commas outside quotes has commas, whatever else it has.
+constexpr char separators[] = {',', ';', '\t'};
+
+// The character between columns by what the header has.
 char separator_of(const std::string& header) {
-  for (const char separator : {',', ';', '\t'})
+  for (const char separator : separators)
     if (find_outside_quotes(header, separator) < header.size()) return separator;
   return ',';
 }
@@ -100,11 +102,49 @@ std::vector<std::size_t> find_columns(const std::vector<CsvCell>& header, const 
   return indices;
 }
 
+// Looks for the header: the first row that has all wanted names, by whatever separator. Rows above it are
+// titles.
+class HeaderSearch {
+ public:
+  explicit HeaderSearch(const std::vector<std::string>& names) : names_(names) {}
+
+  // Splits the line into `row` and returns its separator if it is the header.
+  std::optional<char> match(const std::string& line, std::size_t number, std::vector<CsvCell>& row) {
+    for (const char separator : separators) {
+      split_row(line, separator, row);
+      if (std::ranges::all_of(names_, [&](const auto& name) { return has(row, name); })) return separator;
+    }
+    if (titles_++ == 0) first_ = line, first_number_ = number;
+    return std::nullopt;
+  }
+  bool is_given_up() const { return titles_ == most_titles; }
+  // Throws CaseError: the first row of the file is no header.
+  void fail(const CsvTable& table) const {
+    if (titles_ == 0) return;
+    std::vector<CsvCell> row;
+    split_row(first_, separator_of(first_), row);
+    find_columns(row, table, first_number_);
+  }
+
+ private:
+  static constexpr std::size_t most_titles = 100;
+
+  static bool has(const std::vector<CsvCell>& row, const std::string& name) {
+    return std::ranges::find(row, std::string_view(name), &CsvCell::text) != row.end();
+  }
+
+  const std::vector<std::string>& names_;
+  std::size_t titles_ = 0;
+  std::string first_;
+  std::size_t first_number_ = 0;
+};
+
 // Numbers of one file. Beside semicolons or tabs they may have decimal commas, but then all of them: 1.234
 // may have a point for thousands.
 class NumberReader {
  public:
-  NumberReader(const std::filesystem::path& file, char separator) : file_(file), separator_(separator) {}
+  NumberReader(const std::filesystem::path& file, char separator, std::size_t header_line)
+      : file_(file), separator_(separator), header_line_(header_line) {}
 
   double read(const std::vector<CsvCell>& row, std::size_t index, std::size_t line) {
     if (index >= row.size())
@@ -113,8 +153,7 @@ class NumberReader {
     const auto value = file_number_of(with_point(cell, line));
     if (!value)
       fail_at(file_, line, cell.column,
-              fmt::format("'{}' is not a finite number{}", cell.text,
-                          separator_ == ',' && cell.text.find(',') != cell.text.npos ? decimal_comma : ""));
+              fmt::format("'{}' is not a finite number{}", cell.text, advice(cell.text, line)));
     return *value;
   }
 
@@ -129,6 +168,13 @@ class NumberReader {
 
  private:
   static constexpr const char* decimal_comma = "; decimal commas need semicolons between columns";
+
+  const char* advice(std::string_view text, std::size_t line) const {
+    if (separator_ == ',' && text.find(',') != text.npos) return decimal_comma;
+    const bool is_word =
+        text.find_first_of("0123456789") == text.npos && text.find_first_not_of(".,+-") != text.npos;
+    return is_word && line == header_line_ + 1 ? "; put # before a row of units" : "";
+  }
 
   std::string_view with_point(const CsvCell& cell, std::size_t line) {
     const auto mark = cell.text.find_first_of(",.");
@@ -147,6 +193,7 @@ class NumberReader {
 
   const std::filesystem::path& file_;
   char separator_;
+  std::size_t header_line_;
   char mark_ = 0;         // the first decimal comma or point
   std::size_t line_ = 0;  // its line
   std::string text_;
@@ -174,10 +221,7 @@ std::optional<std::string> comment_of(const std::string& line) {
 }
 
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header) {
-  const bool other_separator =
-      std::ranges::any_of(header, [](const auto& one) { return one.find_first_of(";\t") != one.npos; });
-  return fmt::format("{}: no such column, the header has {}{}", name, fmt::join(header, ", "),
-                     other_separator ? "; put names with commas in quotes" : "");
+  return fmt::format("{}: no such column, the header has {}", name, fmt::join(header, ", "));
 }
 
 CsvHeader read_csv_header(const std::filesystem::path& file) {
@@ -206,15 +250,19 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
   std::vector<CsvCell> row;
   std::size_t width = 0;
   char separator = ',';
+  HeaderSearch header(names);
   std::optional<NumberReader> numbers;  // once the header is read
   for (std::string line; lines.next(line);) {
     if (holds_nothing(line)) continue;
     if (!numbers) {
-      separator = separator_of(line);
-      split_row(line, separator, row);
-      numbers.emplace(file, separator);
-      indices = find_columns(row, table, lines.number());
-      width = filled(row);
+      if (const auto found = header.match(line, lines.number(), row)) {
+        separator = *found;
+        numbers.emplace(file, separator, lines.number());
+        indices = find_columns(row, table, lines.number());
+        width = filled(row);
+      } else if (header.is_given_up()) {
+        break;
+      }
       continue;
     }
     split_row(line, separator, row);
@@ -227,6 +275,7 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
       table.positions[c].push_back(static_cast<std::uint32_t>(row[indices[c]].column));
     }
   }
+  if (!numbers) header.fail(table);
   return table;
 }
 

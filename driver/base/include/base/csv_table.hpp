@@ -36,13 +36,13 @@ struct CsvHeader {
 /// Names in the header row. Throws CaseError if the file cannot be read or has no header.
 CsvHeader read_csv_header(const std::filesystem::path& file);
 
-/// Message that a header has no column of this name, with a likely reason.
+/// Message that a header has no column of this name.
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header);
 
-/// Reads a CSV file with a header row; `#` lines and empty lines are skipped; quotes, blanks and control
-/// characters around a cell are removed. Columns are separated by commas; by semicolons or tabs if the header
-/// has these and no comma outside quotes, and then numbers may have decimal commas.
-/// Throws CaseError at the place of the fault if
+/// Reads a CSV file with a header row, the first one that has all names; `#` lines and empty lines are
+/// skipped; quotes, blanks and control characters around a cell are removed. Columns are separated by commas,
+/// semicolons or tabs: by that with which the header has the names. Beside the last two, numbers may have
+/// decimal commas. Throws CaseError at the place of the fault if
 /// - the file cannot be read or has more than 20 million rows,
 /// - a column or a cell is missing, or a row has too many cells,
 /// - a cell is not a finite number, or has a decimal comma where another has a point.
