@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -13,19 +12,22 @@ namespace driver {
 
 namespace {
 
-// Takes off the knots before 0, from which on a curve that is zero outside counts, if it is zero there.
-// Records begin before firing.
+// The part from 0 on of a curve that is zero outside and, as records before firing, 0 before. Its first knot
+// from 0 on is 0 too, or it would rise from the last one before.
 CurveData from_zero_on(const CurveData& data) {
-  const auto first = std::ranges::find_if(data.time, [](double t) { return t >= 0.0; }) - data.time.begin();
-  const auto flow = std::ranges::find_if(data.value, [](double v) { return v != 0.0; }) - data.value.begin();
-  if (first == std::ssize(data.time) || flow <= first)
+  CurveData rest{{0.0}, {0.0}};
+  bool is_first = true;
+  for (std::size_t i = 0; i < data.time.size(); ++i) {
+    if (is_first && data.value[i] != 0.0) break;
+    if (data.time[i] < 0.0) continue;
+    if (!is_first || data.time[i] > 0.0)
+      rest.time.push_back(data.time[i]), rest.value.push_back(data.value[i]);
+    is_first = false;
+  }
+  if (is_first)
     throw std::invalid_argument(fmt::format(
         "its first knot is at {} s: time counts from firing, allowed: 0 or more, or values of 0 before",
         data.time.front()));
-  CurveData rest{{0.0}, {0.0}};
-  rest.time.insert(rest.time.end(), data.time.begin() + first + (data.time[first] == 0.0), data.time.end());
-  rest.value.insert(rest.value.end(), data.value.begin() + first + (data.time[first] == 0.0),
-                    data.value.end());
   return rest;
 }
 
