@@ -44,6 +44,11 @@ TEST_F(csv_dialect, all_spellings_have_the_same_numbers) {
   }
 }
 
+TEST_F(csv_dialect, comments_end_before_the_separators_of_a_spreadsheet) {
+  EXPECT_EQ(driver::comment_of("# runs: 64;;;"), "# runs: 64");
+  EXPECT_EQ(driver::comment_of("\"# runs: 6;4\";; "), "# runs: 6;4");
+}
+
 TEST_F(csv_dialect, what_may_mean_two_numbers_is_refused) {
   EXPECT_EQ(
       fault("t;p\n0,5;1\n1,5;1.234\n"),

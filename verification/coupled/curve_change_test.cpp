@@ -105,6 +105,11 @@ TEST(curve_change, cumulative_curve_keeps_its_mass) {
   EXPECT_NEAR(
       mass({mass_flow_key + late, mass_flow_key + ".offset=-0.0005", mass_flow_key + ".units.time=ms"}),
       0.002, 8.0 * eps * 0.002);
+  EXPECT_EQ(refusal_of({"={ time = [0, 1], value = [1e-8, 1], cumulative = true }"}).substr(0, 17),
+            ": begins at 1e-08");
+  EXPECT_EQ(refusal_of({"={ time = [0, 1], value = [0.1, 1], scale = 3, offset = -0.3, cumulative = true }"})
+                .size(),
+            8u);  // accepted: 3 x 0.1 is not quite 0.3
   // The tank has it all at the end.
   const auto run = run_case("rigid_tank", {mass_flow_key + curve});
   claim::expect_near({"G.9", "cumulative curve in g over ms: mass that the tank gains [kg]",
@@ -140,6 +145,7 @@ TEST(curve_change, what_makes_no_sense_is_refused) {
        ": knots 1 and 2 are so close that their slope overflows: for a jump use two knots at one time"},
       {{pulse, ".time_scale=5e-324", ".units={ time = \"ms\" }"},
        ": knot 3 at 0 is the third there, allowed: a jump, two knots at one time"},
+      {{pulse, ".time_scale=1e308"}, ": knot 3 is not finite after units, scale and offset"},
       {{pulse, ".scale=1e308"}, ": knot 2 is not finite after units, scale and offset"},
       {{pulse, ".offset=-1"},
        ": has -1 after units, scale and offset, allowed: a number of 0 or more [kg/s]"},

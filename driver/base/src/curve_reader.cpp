@@ -114,7 +114,7 @@ CurveData curve_of_table(TableReader& reader, const CurveKind& kind, const Curve
   }
   reader.finish();
   CurveData curve = change_curve(source, change, kind);
-  for (std::size_t i = 0; i < curve.value.size() && !change.cumulative; ++i)
+  for (std::size_t i = 0; i < curve.value.size(); ++i)
     if (!kind.bounds.contain(curve.value[i]))
       source.fail(i, "has " + outside(curve.value[i], change, kind.bounds));
   return curve;
