@@ -26,11 +26,12 @@ def whole(form, path):
 
 
 # Keys that stand below one that the table names.
-BELOW = set("""file time value strain mass_ratio strain_column overpressure_column mass_ratio_column time_column column species initial radius levels
-    generator refine heat_loss nasa7 rings vents time_ fabric ambient gas inflator jet vent sensor trigger membrane strap plate pendulum contact
-    scene output weave panel depth width height back_radius front_radius depth_cells width_cells height_cells attachment_width_cells
-    attachment_height_cells vent_depth_cell vent_height_cell inflator_radius opening inflator_rings vent_ring centre normal side columns rows
-    self_contact area step safety unsafe_step gas_tolerance gas_step gas_method""".split())
+BELOW = set("""file time value strain mass_ratio strain_column overpressure_column mass_ratio_column time_column column cumulative offset
+    scale shift time_scale units species initial radius levels generator refine heat_loss nasa7 rings vents time_ fabric ambient gas
+    inflator jet vent sensor trigger membrane strap plate pendulum contact scene output weave panel depth width height back_radius
+    front_radius depth_cells width_cells height_cells attachment_width_cells attachment_height_cells vent_depth_cell vent_height_cell
+    inflator_radius opening inflator_rings vent_ring centre normal side columns rows self_contact area step safety unsafe_step gas_tolerance
+    gas_step gas_method""".split())
 
 
 def test_decks_keys():
