@@ -143,7 +143,8 @@ TEST(history, bad_maps_are_refused_where_they_stand) {
   expect(csv, good + "\"p left\"\nscale = 0\n",
          "map.toml:7:1: quantity.0.scale: is 0, which erases the column");
   expect(csv, good + "\"p left\"\nscale = 1e300\noffset = 1e308\n", "mine.csv:2:3: p left: ");
-  expect(csv, good + "\"p left\"\nunit = \"Pa\"\n", "unknown key");
+  expect(csv, good + "\"p left\"\nfactor = 2\n", "unknown key");
+  expect(csv, good + "\"p left\"\nunit = \"Pa\"\n", "accepted");
   expect(csv, good + "\"p left\"\n[[quantity]]\nname = \"pressure_Pa\"\ncolumn = \"p right\"\n",
          "given twice");
   expect(csv, "format = \"xls\"\n[time]\ncolumn = \"t\"\n", "format");

@@ -142,6 +142,7 @@ struct PressedStrips {
   double approach = kRequired;    // [m] H > 0: way of each strip from its clamps until they touch
   double stiffness = kRequired;   // [N/m3] kappa > 0: pressure per metre that they come closer
 };
+/// What two strips do that are pressed on each other.
 struct StripPress {
   double contact_half_width = 0.0;  // [m] a
   double force = 0.0;               // [N/m] of the contact, per length
