@@ -4,10 +4,10 @@
 # meshes and from what earlier runs have kept in build-fuzz/corpus. Ends at the first input that breaks one, and keeps it there.
 # Writes what each did to build-fuzz/fuzz.csv.
 # usage: scripts/tests/fuzz.sh SECONDS [HARNESS...]      SECONDS for each; obj, keyword, visibility, contact, control_volume,
-#                                                  case_reader, curve, history, all of them by default
+#                                                  case_reader, curve, history, written_mesh, all of them by default
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-all=(obj keyword visibility contact control_volume case_reader curve history)
+all=(obj keyword visibility contact control_volume case_reader curve history written_mesh)
 
 [[ ${1:-} =~ ^[1-9][0-9]*$ ]] || {
   echo "usage: scripts/tests/fuzz.sh SECONDS [HARNESS...]; harnesses: ${all[*]}" >&2
@@ -29,6 +29,7 @@ seeds() {
     obj) find cases -name '*.obj' -size -200k ;;
     keyword) find cases -name '*.k' -size -200k ;;
     case_reader) find cases -maxdepth 1 -name '*.toml' ;;
+    written_mesh) find verification/mesh/written -name '*.msh' -o -name '*.v*' ;;
     curve | history) find cases -name '*.csv' -size -200k ;;
   esac
 }

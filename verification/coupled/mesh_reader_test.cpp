@@ -186,7 +186,7 @@ TEST(mesh_reader, bad_files_are_refused_with_their_line) {
        "a.ply: the header announces element vertex 12, element face 20, but the file continues for 5 bytes; "
        "correct the header"},
       {"a.ply", binary_ply(mesh::icosphere(1.0, 0), true) + std::string(13, '\1'), "for 13 bytes"},
-      {"a.ply", changed(kPly, "4 0 3 2 1", "5 0 3 2 1 4"), "an element of 5 corners, allowed: 3 or 4"},
+      {"a.ply", changed(kPly, "4 0 3 2 1", "5 0 3 2 1 4"), "a.ply: polygon 0 of 5 corners is not plane"},
       {"a.off", "ply\n", "a.off:1:1: an OFF file begins with OFF"},
       {"a.stl", std::string(50, '\1'), "a.stl: neither STL text, which begins with solid, nor binary"},
       {"a.stl", binary_stl(mesh::icosphere(1.0, 0)).substr(0, 700),

@@ -16,16 +16,20 @@
 using Harness = int(const std::uint8_t*, std::size_t);
 extern "C" {
 Harness fuzz_obj, fuzz_keyword, fuzz_visibility, fuzz_contact, fuzz_control_volume, fuzz_case_reader,
-    fuzz_curve, fuzz_history;
+    fuzz_curve, fuzz_history, fuzz_written_mesh;
 }
 
 namespace {
 
-const std::map<std::string, Harness*> kHarnesses{
-    {"obj", fuzz_obj},         {"keyword", fuzz_keyword},
-    {"contact", fuzz_contact}, {"control_volume", fuzz_control_volume},
-    {"curve", fuzz_curve},     {"case_reader", fuzz_case_reader},
-    {"history", fuzz_history}, {"visibility", fuzz_visibility}};
+const std::map<std::string, Harness*> kHarnesses{{"obj", fuzz_obj},
+                                                 {"keyword", fuzz_keyword},
+                                                 {"contact", fuzz_contact},
+                                                 {"control_volume", fuzz_control_volume},
+                                                 {"curve", fuzz_curve},
+                                                 {"case_reader", fuzz_case_reader},
+                                                 {"history", fuzz_history},
+                                                 {"visibility", fuzz_visibility},
+                                                 {"written_mesh", fuzz_written_mesh}};
 
 constexpr std::size_t kLongest = 4096, kMostFaults = 6;
 constexpr std::size_t kOneWhole = 10;  // of so many inputs of a longer seed file one is a copy of all of it

@@ -144,6 +144,8 @@ void print_reading(BagMesh& bag, const MeshArguments& arguments) {
         std::pair("not read, and changes the bag", &mesh.neglected)})
     if (!list->empty()) fmt::print("{}: {}\n", what, fmt::join(*list, ", "));
   if (mesh.split_quads > 0) fmt::print("quads split in two: {}\n", mesh.split_quads);
+  if (mesh.split_polygons > 0)
+    fmt::print("polygons split, of up to {} corners: {}\n", mesh.most_corners, mesh.split_polygons);
   drop_collapsed(bag, arguments.file);
   if (bag.collapsed > 0) fmt::print("{}\n", collapsed_text(bag));
   if (arguments.merge) {

@@ -15,9 +15,10 @@ namespace {
 
 using Values = std::function<double(int index, int component)>;
 
-void data_array(std::string& out, const char* name, int components, int count, const Values& value) {
+void data_array(std::string& out, const char* name, int components, int count, const Values& value,
+                const char* type = "Float64") {
   fmt::format_to(std::back_inserter(out),
-                 "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
+                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type,
                  name, components);
   for (int i = 0; i < count; ++i) {
     for (int c = 0; c < components; ++c) fmt::format_to(std::back_inserter(out), "{} ", value(i, c));
@@ -36,6 +37,13 @@ void connectivity(std::string& out, const mesh::Mesh& mesh) {
   out += "</DataArray>\n</Polys>\n";
 }
 
+// Whole numbers, which `gasjet mesh convert` takes for panels.
+void panel_array(std::string& out, const mesh::Mesh& mesh) {
+  data_array(
+      out, "panel", 1, mesh.element_count(),
+      [&](int e, int) { return mesh.panel[static_cast<std::size_t>(e)]; }, "Int32");
+}
+
 void element_data(std::string& out, const Scene& scene, const State& state) {
   const auto count = static_cast<std::size_t>(scene.bag->model.element_count);
   std::vector<membrane::PlaneResponse<double>> fabric;
@@ -48,7 +56,7 @@ void element_data(std::string& out, const Scene& scene, const State& state) {
                [&](int e, int) { return value(static_cast<std::size_t>(e)); });
   };
   out += "<CellData>\n";
-  add("panel", [&](std::size_t e) { return scene.bag->mesh.panel[e]; });
+  panel_array(out, scene.bag->mesh);
   add("principal_stress_Pa", [&](std::size_t e) { return fabric[e].stress_1; });
   add("principal_strain", [&](std::size_t e) { return fabric[e].strain_1; });
   add("overpressure_Pa", [&](std::size_t e) { return gauge + jets.overpressure[e]; });
@@ -115,8 +123,7 @@ std::string polydata_of(const mesh::Mesh& mesh) {
   out += "</Points>\n";
   connectivity(out, mesh);
   out += "<CellData>\n";
-  data_array(out, "panel", 1, mesh.element_count(),
-             [&](int e, int) { return mesh.panel[static_cast<std::size_t>(e)]; });
+  panel_array(out, mesh);
   return out + "</CellData>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 

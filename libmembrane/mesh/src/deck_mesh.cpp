@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "mesh_builder.hpp"
 #include "mesh_text.hpp"
 
 namespace mesh {

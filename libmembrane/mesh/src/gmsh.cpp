@@ -3,22 +3,18 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
-#include <map>
-#include <set>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "gmsh_numbers.hpp"
+#include "gmsh_parts.hpp"
 #include "mesh/merge.hpp"
+#include "mesh_builder.hpp"
 #include "mesh_text.hpp"
 #include "mesh_tokens.hpp"
 
 namespace mesh {
 namespace {
-
-constexpr long long kMostTag = 2'000'000'000;
-constexpr const char* kOneGroup = "; remove it from one of them";
 
 // Number of corners of a first-order element that is read or skipped; 0 for other types.
 std::size_t corners_of(long long type) {
@@ -46,9 +42,15 @@ std::size_t known_corners(const TokenReader& words, const MeshWord& at, long lon
 
 struct Element {
   std::vector<int> nodes;
-  std::size_t line;
+  std::size_t line;  // 0 in a binary file
+  long long number;
   std::string panel;
 };
+
+std::string name_of(const Element& element) {
+  if (element.line == 0) return "element " + std::to_string(element.number);
+  return "the element of line " + std::to_string(element.line);
+}
 
 // Version 2 writes an element once for each of its groups.
 void require_one_group(const TokenReader& words, const std::vector<Element>& elements) {
@@ -61,8 +63,7 @@ void require_one_group(const TokenReader& words, const std::vector<Element>& ele
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const Element &first = *sorted[i - 1].second, &again = *sorted[i].second;
     if (sorted[i].first == sorted[i - 1].first && first.panel != again.panel)
-      words.fail({{}, again.line, 1}, "the element of line " + std::to_string(first.line) +
-                                          " is repeated because it is in two physical groups, " +
+      words.fail({{}, again.line, 1}, name_of(first) + " is repeated because it is in two physical groups, " +
                                           first.panel + " and " + again.panel + kOneGroup);
   }
 }
@@ -83,11 +84,17 @@ class GmshParser {
     words_.expect("$MeshFormat");
     const MeshWord version = words_.word("the version");
     is_new_ = version.text == "4.1";
+    numbers_.set_item_size(is_new_ ? 8 : 4);
     if (!is_new_ && version.text != "2.2" && version.text != "2.1" && version.text != "2")
       words_.fail(version, "version " + shown(version.text) + " is not supported; allowed: 2.2 and 4.1");
     const MeshWord binary = words_.word("0");
-    if (binary.text != "0") words_.fail(binary, "a binary file; write it as ASCII (Mesh.Binary = 0)");
-    words_.integer("the size of a number", 1, 64);
+    if (binary.text != "0" && binary.text != "1")
+      words_.fail(binary, shown(binary.text) + " is found instead of 0 for ASCII or 1 for binary");
+    const MeshWord size = words_.word("the size of a number");
+    if (binary.text == "1") {
+      if (size.text != "8") words_.fail(size, "numbers of " + shown(size.text) + " bytes, allowed: 8");
+      numbers_.set_binary();
+    }
     words_.expect("$EndMeshFormat");
   }
 
@@ -96,168 +103,138 @@ class GmshParser {
     if (!begin.text.starts_with('$') || begin.text.starts_with("$End"))
       words_.fail(begin, shown(begin.text) + " is found instead of a section such as $Nodes");
     const std::string end = "$End" + std::string(begin.text.substr(1));
+    if (begin.text == "$ParametricNodes")
+      words_.fail(begin, "nodes with parameters; write the file without them (Mesh.SaveParametric = 0)");
     if (begin.text == "$PhysicalNames") {
-      physical_names();
+      groups_.read_names();
     } else if (begin.text == "$Entities" && is_new_) {
-      entities();
+      groups_.read_entities();
     } else if (begin.text == "$Nodes") {
       is_new_ ? node_blocks() : nodes();
     } else if (begin.text == "$Elements") {
       is_new_ ? element_blocks() : elements();
+    } else if (numbers_.is_binary()) {
+      words_.find_line(end);
     } else {
       while (words_.peek(end.c_str()).text != end) words_.word("");
     }
     words_.expect(end);
   }
 
-  long long tag(const char* what) { return words_.integer(what, -kMostTag, kMostTag); }
-
-  void physical_names() {
-    const std::size_t count = words_.count("the number of names");
-    for (std::size_t i = 0; i < count; ++i) {
-      const long long dimension = words_.integer("a dimension", 0, 3), number = tag("a physical group");
-      const MeshWord at = words_.peek("a name in quotes");
-      const std::string_view rest = words_.rest_of_line();
-      if (rest.size() < 2 || rest.front() != '"' || rest.back() != '"')
-        words_.fail(at, shown(rest) + " is not a name in quotes");
-      if (dimension == 2) names_[number] = panel_name(rest.substr(1, rest.size() - 2));
-    }
-  }
-
-  // Version 4: which physical groups each surface is in.
-  void entities() {
-    std::size_t counts[4];
-    for (std::size_t& count : counts) count = words_.count("the number of entities");
-    for (std::size_t dimension = 0; dimension < 4; ++dimension)
-      for (std::size_t i = 0; i < counts[dimension]; ++i) {
-        const long long entity = tag("an entity");
-        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) words_.number("a coordinate");
-        const std::size_t groups = words_.count("the number of physical groups");
-        for (std::size_t k = 0; k < groups; ++k) {
-          const long long group = tag("a physical group");
-          if (dimension == 2)
-            groups_of_surface_[entity].insert(std::abs(group));  // its sign is an
-                                                                 // orientation
-        }
-        if (dimension == 0) continue;
-        const std::size_t bounding = words_.count("the number of bounding entities");
-        for (std::size_t k = 0; k < bounding; ++k) tag("an entity");
-      }
-  }
-
-  std::string panel_of(long long group, long long surface) const {
-    if (group == 0) return "surface_" + std::to_string(surface);
-    const auto name = names_.find(group);
-    return name == names_.end() ? "physical_" + std::to_string(group) : name->second;
-  }
-
-  // The one group of a surface; 0 if it is in none.
-  long long group_of(const MeshWord& at, long long surface) const {
-    const auto found = groups_of_surface_.find(surface);
-    if (found == groups_of_surface_.end()) return 0;
-    const std::set<long long>& groups = found->second;
-    if (groups.size() > 1)
-      words_.fail(at, "surface " + std::to_string(surface) + " is in two physical groups, " +
-                          panel_of(*groups.begin(), surface) + " and " +
-                          panel_of(*std::next(groups.begin()), surface) + kOneGroup);
-    return *groups.begin();
-  }
-
-  void add_node(const MeshWord& at, long long number, const Eigen::Vector3d& x) {
-    if (!index_.try_emplace(number, static_cast<int>(nodes_.size())).second)
-      words_.fail(at, "node " + std::to_string(number) + " is repeated");
-    nodes_.push_back(x);
-  }
-
-  Eigen::Vector3d position() {
-    const double x = words_.number("x"), y = words_.number("y");
-    return {x, y, words_.number("z")};
-  }
-
   void nodes() {
     const std::size_t count = words_.count("the number of nodes");
+    numbers_.begin();
     for (std::size_t i = 0; i < count; ++i) {
-      const MeshWord at = words_.peek("a node");
-      const long long number = words_.integer("the node's number", 1, kMostTag);
-      add_node(at, number, position());
+      const MeshWord at = numbers_.place("a node");
+      const long long node = numbers_.item("the node's number");
+      nodes_.read(at, node);
     }
+  }
+
+  // What stands before the blocks of nodes or elements: their number, and that of all items.
+  std::pair<std::size_t, std::size_t> block_counts(const char* what) {
+    numbers_.begin();
+    const std::size_t blocks = numbers_.count("the number of blocks"), all = numbers_.count(what);
+    numbers_.integer("the least number", 0, GmshNumbers::most, 8);
+    numbers_.integer("the greatest number", 0, GmshNumbers::most, 8);
+    return {blocks, all};
   }
 
   void node_blocks() {
-    const std::size_t blocks = words_.count("the number of blocks"),
-                      all = words_.count("the number of nodes");
-    tag("the least number");
-    tag("the greatest number");
+    const auto [blocks, all] = block_counts("the number of nodes");
     for (std::size_t block = 0; block < blocks; ++block) {
-      const long long dimension = words_.integer("a dimension", 0, 3);
-      tag("an entity");
-      const long long parameters = words_.integer("0 or 1", 0, 1) * dimension;
-      const std::size_t count = words_.count("the number of nodes");
-      std::vector<std::pair<MeshWord, long long>> numbers;
+      const long long dimension = numbers_.integer("a dimension", 0, 3);
+      numbers_.tag("an entity");
+      const long long parameters = numbers_.integer("0 or 1", 0, 1) * dimension;
+      const std::size_t count = numbers_.count("the number of nodes");
+      std::vector<std::pair<MeshWord, long long>> read;
       for (std::size_t i = 0; i < count; ++i) {
-        const MeshWord at = words_.peek("a node");
-        numbers.emplace_back(at, words_.integer("the node's number", 1, kMostTag));
+        const MeshWord at = numbers_.place("a node");
+        read.emplace_back(at, numbers_.item("the node's number"));
       }
-      for (const auto& [at, number] : numbers) {
-        add_node(at, number, position());
-        for (long long k = 0; k < parameters; ++k) words_.number("a parameter");
+      for (const auto& [at, node] : read) {
+        nodes_.read(at, node);
+        for (long long k = 0; k < parameters; ++k) numbers_.number("a parameter");
       }
     }
-    require_count(nodes_.size(), all, "nodes");
+    require_count(nodes_.positions.size(), all, "nodes");
   }
 
   void require_count(std::size_t found, std::size_t announced, const char* what) {
     if (found != announced)
-      words_.fail(words_.peek("the end of the section"), std::to_string(found) + " " + what + ", not the " +
-                                                             std::to_string(announced) + " announced");
+      words_.fail(
+          numbers_.place("the end of the section"),
+          std::to_string(found) + " " + what + ", not the " + std::to_string(announced) + " announced");
   }
 
-  void add_element(std::size_t corners, std::string panel, std::size_t line) {
-    Element element{{}, line, std::move(panel)};
+  std::size_t line() { return numbers_.is_binary() ? 0 : words_.peek("an element").line; }
+
+  void add_element(std::size_t corners, long long element_number, std::string panel, std::size_t line) {
+    Element element{{}, line, element_number, std::move(panel)};
     for (std::size_t k = 0; k < corners; ++k) {
-      const MeshWord at = words_.peek("a node");
-      const long long number = words_.integer("a node", 1, kMostTag);
-      if (!index_.contains(number)) words_.fail(at, "node " + std::to_string(number) + " is not in $Nodes");
-      element.nodes.push_back(index_.at(number));
+      const MeshWord at = numbers_.place("a node");
+      const long long node = numbers_.item("a node");
+      element.nodes.push_back(nodes_.index_of(at, node));
     }
     if (corners >= 3) elements_.push_back(std::move(element));
   }
 
+  std::pair<MeshWord, long long> element_type(const char* what) {
+    const MeshWord at = numbers_.place(what);
+    return {at, numbers_.integer(what, 1, 1000)};
+  }
+
+  // An element of version 2, behind its type.
+  void tagged_element(std::size_t corners, std::size_t tags, long long element_number, std::size_t line) {
+    long long tag_of[2] = {0, 0};
+    for (std::size_t k = 0; k < tags; ++k) {
+      const long long value = numbers_.tag("a tag");
+      if (k < 2) tag_of[k] = value;
+    }
+    add_element(corners, element_number, groups_.panel_of(std::abs(tag_of[0]), tag_of[1]), line);
+  }
+
   void elements() {
     const std::size_t count = words_.count("the number of elements");
+    if (numbers_.is_binary()) return element_runs(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t line = words_.peek("an element").line;
-      words_.integer("the element's number", 1, kMostTag);
-      const MeshWord at = words_.peek("the element's type");
-      const long long type = words_.integer("the element's type", 1, 1000);
+      const std::size_t at_line = line();
+      const long long element_number = numbers_.item("the element's number");
+      const auto [at, type] = element_type("the element's type");
       const std::size_t corners = known_corners(words_, at, type), tags = words_.count("the number of tags");
-      long long tag_of[2] = {0, 0};
-      for (std::size_t k = 0; k < tags; ++k) {
-        const long long value = tag("a tag");
-        if (k < 2) tag_of[k] = value;
-      }
-      add_element(corners, panel_of(std::abs(tag_of[0]), tag_of[1]), line);
+      tagged_element(corners, tags, element_number, at_line);
+    }
+  }
+
+  // In a binary file of version 2 elements of one type follow their type.
+  void element_runs(std::size_t count) {
+    numbers_.begin();
+    for (std::size_t found = 0; found < count;) {
+      const auto [at, type] = element_type("the elements' type");
+      const std::size_t corners = known_corners(words_, at, type);
+      const auto most = static_cast<long long>(count - found);
+      const auto run = static_cast<std::size_t>(numbers_.integer("the number of elements", 1, most)),
+                 tags = static_cast<std::size_t>(numbers_.integer("the number of tags", 0, 1000));
+      for (std::size_t i = 0; i < run; ++i)
+        tagged_element(corners, tags, numbers_.item("the element's number"), 0);
+      found += run;
     }
   }
 
   void element_blocks() {
-    const std::size_t blocks = words_.count("the number of blocks"),
-                      all = words_.count("the number of elements");
-    tag("the least number");
-    tag("the greatest number");
+    const auto [blocks, all] = block_counts("the number of elements");
     std::size_t found = 0;
     for (std::size_t block = 0; block < blocks; ++block) {
-      words_.integer("a dimension", 0, 3);
-      const long long entity = tag("an entity");
-      const MeshWord at = words_.peek("the elements' type");
-      const long long type = words_.integer("the elements' type", 1, 1000);
+      numbers_.integer("a dimension", 0, 3);
+      const long long entity = numbers_.tag("an entity");
+      const auto [at, type] = element_type("the elements' type");
       const std::size_t corners = known_corners(words_, at, type),
-                        count = words_.count("the number of elements");
-      const std::string panel = panel_of(corners < 3 ? 0 : group_of(at, entity), entity);
+                        count = numbers_.count("the number of elements");
+      const std::string panel = groups_.panel_of(corners < 3 ? 0 : groups_.group_of(at, entity), entity);
       for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t line = words_.peek("an element").line;
-        words_.integer("the element's number", 1, kMostTag);
-        add_element(corners, panel, line);
+        const std::size_t at_line = line();
+        const long long element_number = numbers_.item("the element's number");
+        add_element(corners, element_number, panel, at_line);
       }
       found += count;
     }
@@ -267,17 +244,16 @@ class GmshParser {
   Mesh build() const {
     require_one_group(words_, elements_);
     MeshBuilder mesh;
-    for (const Eigen::Vector3d& x : nodes_) mesh.add_node(x);
+    for (const Eigen::Vector3d& x : nodes_.positions) mesh.add_node(x);
     for (const Element& e : elements_) mesh.add_polygon(e.nodes, e.panel, e.line);
-    return used_nodes(std::move(mesh).finish());
+    return used_nodes(std::move(mesh).finish(words_.name()));
   }
 
   TokenReader words_;
-  bool is_new_ = false;                     // version 4
-  std::map<long long, std::string> names_;  // names of the physical surfaces
-  std::map<long long, std::set<long long>> groups_of_surface_;
-  std::vector<Eigen::Vector3d> nodes_;
-  std::unordered_map<long long, int> index_;  // index of each node number
+  GmshNumbers numbers_{words_};
+  bool is_new_ = false;  // version 4
+  GmshGroups groups_{words_, numbers_};
+  GmshNodes nodes_{words_, numbers_};
   std::vector<Element> elements_;
 };
 

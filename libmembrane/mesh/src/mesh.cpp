@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "mesh_builder.hpp"
 #include "mesh_text.hpp"
 
 namespace mesh {

@@ -21,13 +21,14 @@ std::string location(const std::string& file, std::size_t line, std::size_t colu
   return line == 0 ? file : file + ":" + std::to_string(line) + ":" + std::to_string(column);
 }
 
-enum class Format { obj, keyword, radioss, stl, off, vtk, gmsh };
+enum class Format { obj, keyword, radioss, stl, off, vtk, vtk_xml, gmsh };
 
 const std::map<std::string, Format>& formats() {
   static const std::map<std::string, Format> list = {
-      {".obj", Format::obj},     {".k", Format::keyword}, {".key", Format::keyword},
-      {".dyn", Format::keyword}, {".stl", Format::stl},   {".off", Format::off},
-      {".vtk", Format::vtk},     {".msh", Format::gmsh},  {".rad", Format::radioss}};
+      {".obj", Format::obj},     {".k", Format::keyword},   {".key", Format::keyword},
+      {".dyn", Format::keyword}, {".stl", Format::stl},     {".off", Format::off},
+      {".vtk", Format::vtk},     {".vtu", Format::vtk_xml}, {".vtp", Format::vtk_xml},
+      {".msh", Format::gmsh},    {".rad", Format::radioss}};
   return list;
 }
 
@@ -46,7 +47,8 @@ const std::map<Format, std::string (*)(const Mesh&)>& writers() {
   return list;
 }
 
-constexpr const char* kRead = "a mesh file ends with .obj, .k, .key, .dyn, .rad, .stl, .off, .vtk or .msh";
+constexpr const char* kRead =
+    "a mesh file ends with .obj, .k, .key, .dyn, .rad, .stl, .off, .vtk, .vtu, .vtp or .msh";
 constexpr const char* kWritten = "the name of a mesh that is written ends with .obj, .k, .key, .dyn or .stl";
 
 // what() ends at a NUL.
@@ -91,6 +93,8 @@ Mesh read_mesh(const std::filesystem::path& path) {
       return parse_off(text, name);
     case Format::vtk:
       return parse_vtk(text, name);
+    case Format::vtk_xml:
+      return parse_vtk_xml(text, name);
     case Format::gmsh:
       break;
   }

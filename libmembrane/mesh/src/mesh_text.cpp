@@ -6,14 +6,10 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <fstream>
-#include <numeric>
 #include <stdexcept>
 #include <system_error>
-#include <tuple>
-#include <unordered_set>
 #include <utility>
 
 #include "mesh/mesh_file.hpp"
@@ -122,78 +118,6 @@ std::string panel_name(std::string_view text) {
 void require_finite_nodes(const Mesh& mesh) {
   if (!mesh.nodes.allFinite())
     throw std::invalid_argument("nodes: a coordinate is not finite; mesh files hold finite ones");
-}
-
-void MeshBuilder::add_polygon(std::span<const int> corners, const std::string& panel, std::size_t line) {
-  polygons_.push_back({{corners[0], corners[1], corners[2], corners.size() == 4 ? corners[3] : -1},
-                       panel_index(panel),
-                       static_cast<int>(line)});
-}
-
-int MeshBuilder::panel_index(const std::string& panel) {
-  const auto [entry, is_new] = panel_of_name_.try_emplace(panel, static_cast<int>(panel_names_.size()));
-  if (is_new) panel_names_.push_back(panel);
-  return entry->second;
-}
-
-/// One number for all nodes at one position, because both sides of a seam may have their own nodes.
-std::vector<int> MeshBuilder::positions() const {
-  std::vector<int> order(nodes_.size()), of(nodes_.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto at = [&](int node) {
-    const Eigen::Vector3d& x = nodes_[static_cast<std::size_t>(node)];
-    return std::tuple(x.x(), x.y(), x.z());
-  };
-  std::ranges::sort(order, {}, at);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    of[static_cast<std::size_t>(order[i])] =
-        i > 0 && at(order[i]) == at(order[i - 1]) ? of[static_cast<std::size_t>(order[i - 1])] : order[i];
-  return of;
-}
-
-/// Rotates the corners of each quad so that it is split from the first to the third.
-void MeshBuilder::split_quads() {
-  const std::vector<int> position = positions();
-  std::unordered_set<std::uint64_t> sides;
-  const auto add = [&](int a, int b) {  // false if it exists already
-    a = position[static_cast<std::size_t>(a)], b = position[static_cast<std::size_t>(b)];
-    const auto low = static_cast<std::uint64_t>(std::min(a, b)),
-               high = static_cast<std::uint64_t>(std::max(a, b));
-    return sides.insert(low << 32 | high).second;
-  };
-  for (const Polygon& polygon : polygons_)
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-      add(polygon.corners[i], polygon.corners[(i + 1) % polygon.size()]);
-  const auto distance = [&](int a, int b) {
-    return (nodes_[static_cast<std::size_t>(a)] - nodes_[static_cast<std::size_t>(b)]).norm();
-  };
-  for (Polygon& polygon : polygons_) {
-    if (polygon.size() == 3) continue;
-    auto& c = polygon.corners;
-    const auto add_diagonal = [&](bool second) { return second ? add(c[1], c[3]) : add(c[0], c[2]); };
-    bool second = distance(c[1], c[3]) < distance(c[0], c[2]);
-    if (!add_diagonal(second) && add_diagonal(!second)) second = !second;
-    if (second) std::rotate(c.begin(), c.begin() + 1, c.end());
-  }
-}
-
-Mesh MeshBuilder::finish() && {
-  Mesh mesh;
-  mesh.nodes.resize(3, static_cast<Eigen::Index>(nodes_.size()));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) mesh.nodes.col(static_cast<Eigen::Index>(i)) = nodes_[i];
-  const auto is_quad = [](const Polygon& polygon) { return polygon.size() == 4; };
-  mesh.split_quads = static_cast<int>(std::count_if(polygons_.begin(), polygons_.end(), is_quad));
-  if (mesh.split_quads > 0) split_quads();
-  mesh.elements.resize(3, static_cast<Eigen::Index>(polygons_.size()) + mesh.split_quads);
-  for (const Polygon& polygon : polygons_)
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-      const auto& c = polygon.corners;
-      mesh.elements.col(static_cast<Eigen::Index>(mesh.panel.size())) << c[0], c[i - 1], c[i];
-      mesh.panel.push_back(polygon.panel);
-      mesh.line.push_back(polygon.line);
-    }
-  mesh.panel_names = std::move(panel_names_);
-  return mesh;
 }
 
 }  // namespace mesh

@@ -18,6 +18,7 @@ bool is_space(char c) {
 }  // namespace
 
 void TokenReader::fail(const MeshWord& at, const std::string& message) const {
+  if (has_bytes_) throw MeshFileError(name_, 0, 0, "at byte " + std::to_string(at_) + ": " + message);
   throw MeshFileError(name_, at.line, at.column, message);
 }
 
@@ -86,6 +87,25 @@ void TokenReader::next_line() {
   ++at_;
   ++line_;
   line_begin_ = at_;
+}
+
+std::string_view TokenReader::bytes(std::size_t count, const char* what) {
+  has_bytes_ = true;
+  if (count > text_.size() - at_) fail({}, std::string("the file ends here: ") + what + " is missing");
+  const std::string_view found = text_.substr(at_, count);
+  at_ += count;
+  return found;
+}
+
+bool TokenReader::begins_with(std::string_view text) {
+  if (has_bytes_) return text_.substr(at_).starts_with(text);
+  return !at_end() && upper_case(peek("").text) == text;
+}
+
+void TokenReader::find_line(const std::string& text) {
+  const std::size_t found = text_.find("\n" + text, at_);
+  if (found == std::string_view::npos) fail({{}, line_, 1}, "the file ends before " + text);
+  while (at_ <= found) next_line();
 }
 
 std::string_view TokenReader::rest_of_line() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Private to the mesh files: words of a text with their positions.
+// Private to the mesh files: words of a text with their positions, and bytes between them.
 #pragma once
 
 #include <algorithm>
@@ -49,6 +49,14 @@ class TokenReader {
   std::string_view rest_of_line();
   /// Goes to the line after this one.
   void next_line();
+  /// The next `count` bytes, as they are. From now on places in messages are bytes.
+  std::string_view bytes(std::size_t count, const char* what);
+  /// Number of bytes that are left.
+  std::size_t left() const { return text_.size() - at_; }
+  /// True if `text` comes next: as a word, in capitals or not, or before any bytes.
+  bool begins_with(std::string_view text);
+  /// Goes to the next line that begins with `text`.
+  void find_line(const std::string& text);
   [[noreturn]] void fail(const MeshWord& at, const std::string& message) const;
 
  private:
@@ -57,6 +65,7 @@ class TokenReader {
   std::string_view text_;
   std::string name_;
   std::size_t at_ = 0, line_ = 1, line_begin_ = 0;
+  bool has_bytes_ = false;
 };
 
 }  // namespace mesh

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh_builder.hpp"
 #include "mesh_text.hpp"
 
 namespace mesh {
@@ -55,7 +56,7 @@ class ObjParser {
       statement(tokens);
     }
     if (mesh_.empty()) throw MeshFileError(name_, 0, 0, "the file has no elements (f)");
-    return std::move(mesh_).finish();
+    return std::move(mesh_).finish(name_);
   }
 
  private:
@@ -109,7 +110,7 @@ class ObjParser {
 
   void polygon(const std::vector<Token>& tokens) {
     const std::size_t count = tokens.size() - 1;
-    if (count != 3 && count != 4) fail(tokens[0], "f needs 3 or 4 corners, has " + std::to_string(count));
+    if (count < 3) fail(tokens[0], "f needs 3 corners or more, has " + std::to_string(count));
     std::vector<int> corners;
     for (std::size_t i = 1; i <= count; ++i) corners.push_back(corner(tokens[i]));
     mesh_.add_polygon(corners, panel_name_, tokens[0].line);

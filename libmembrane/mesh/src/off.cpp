@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesh/merge.hpp"
+#include "mesh_builder.hpp"
 #include "mesh_text.hpp"
 #include "mesh_tokens.hpp"
 
@@ -34,7 +35,7 @@ class OffParser {
     for (std::size_t i = 0; i < faces_; ++i) face(i);
     end();
     if (mesh_.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no elements");
-    return used_nodes(std::move(mesh_).finish());
+    return used_nodes(std::move(mesh_).finish(words_.name()));
   }
   bool has_faces() const { return !mesh_.empty(); }
 
@@ -90,15 +91,15 @@ class OffParser {
 
   void face(std::size_t i) {
     begin("face " + std::to_string(i + 1) + " of the " + std::to_string(faces_));
-    const MeshWord at = words_.word("the number of corners");
-    if (at.text != "3" && at.text != "4")
-      words_.fail(at, "a face of " + shown(at.text) + " corners, allowed: 3 or 4");
-    std::vector<int> corners(at.text == "3" ? 3 : 4);
+    const std::size_t line = words_.peek("the number of corners").line;
+    std::vector<int> corners(words_.count("the number of corners"));
+    if (corners.size() < 3)
+      words_.fail(item_, "a face of " + std::to_string(corners.size()) + " corners, allowed: 3 or more");
     for (int& corner : corners) {
       stay("the last corner");
       corner = static_cast<int>(words_.integer("a corner", 0, static_cast<long long>(vertices_) - 1));
     }
-    mesh_.add_polygon(corners, "default", at.line);
+    mesh_.add_polygon(corners, "default", line);
     end_item();
   }
 

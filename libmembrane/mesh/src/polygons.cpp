@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesh/merge.hpp"
+#include "mesh_builder.hpp"
 #include "mesh_text.hpp"
 
 namespace mesh {
@@ -21,17 +22,15 @@ Mesh mesh_of_polygons(const Eigen::Matrix3Xd& nodes, const std::vector<std::vect
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const std::vector<int>& corners = polygons[i];
     const std::string where = "element " + std::to_string(i) + ": ";
-    if (corners.size() != 3 && corners.size() != 4)
-      throw std::invalid_argument(where + std::to_string(corners.size()) + " corners, allowed: 3 or 4");
+    if (corners.size() < 3)
+      throw std::invalid_argument(where + std::to_string(corners.size()) + " corners, allowed: 3 or more");
     for (const int node : corners)
       if (node < 0 || node >= nodes.cols())
         throw std::invalid_argument(where + "node " + std::to_string(node) + " is out of range, 0 to " +
                                     std::to_string(nodes.cols() - 1));
-    mesh.add_polygon(corners, "default", i);
+    mesh.add_polygon(corners, "default", 0);
   }
-  Mesh result = used_nodes(std::move(mesh).finish());
-  result.line.clear();
-  return result;
+  return used_nodes(std::move(mesh).finish());
 }
 
 }  // namespace mesh

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "mesh_builder.hpp"
 #include "mesh_text.hpp"
 #include "mesh_tokens.hpp"
 

@@ -2,26 +2,22 @@
 #include "mesh/vtk.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <iterator>
+#include <utility>
 #include <vector>
 
-#include "mesh/merge.hpp"
 #include "mesh_text.hpp"
 #include "mesh_tokens.hpp"
 #include "vtk_attributes.hpp"
+#include "vtk_grid.hpp"
+#include "vtk_numbers.hpp"
 
 namespace mesh {
 namespace {
 
-struct Cell {
-  std::vector<long long> nodes;
-  std::size_t line, column;
-  int type;  // type in VTK; 0: a polygon
-};
-
 class VtkParser {
  public:
-  VtkParser(std::string_view text, const std::string& name) : words_(text, name) {}
+  VtkParser(std::string_view text, const std::string& name) : words_(text, name) { grid_.file = name; }
 
   Mesh parse() {
     header();
@@ -36,9 +32,12 @@ class VtkParser {
       words_.fail(begin, "a legacy VTK file begins with # vtk DataFile Version");
     words_.next_line();
     words_.rest_of_line();  // the title
-    const MeshWord format = words_.word("ASCII");
-    if (upper_case(format.text) != "ASCII")
-      words_.fail(format, shown(format.text) + " is not supported; write the file as ASCII");
+    const MeshWord format = words_.word("ASCII or BINARY");
+    const std::string form = upper_case(format.text);
+    if (form == "BINARY")
+      numbers_.set_binary();
+    else if (form != "ASCII")
+      words_.fail(format, shown(format.text) + " is not supported; allowed: ASCII or BINARY");
     const MeshWord dataset = words_.word("DATASET");
     const MeshWord kind = words_.word("POLYDATA or UNSTRUCTURED_GRID");
     const std::string type = upper_case(kind.text);
@@ -51,41 +50,58 @@ class VtkParser {
     const MeshWord word = words_.word("a section");
     const std::string key = upper_case(word.text);
     if (key == "POINTS") return points(word);
-    if (key == "POLYGONS" || key == "CELLS") return cells(word, key);
+    if (key == "CELLS") return cells(word, typed_, 0);
+    if (key == "POLYGONS") return cells(word, polygons_, VtkCell::polygon);
+    if (key == "TRIANGLE_STRIPS") return cells(word, strips_, VtkCell::strip);
     if (key == "CELL_TYPES") return types(word);
-    if (key == "VERTICES" || key == "LINES") return skip_cells();
-    if (!attributes_.read(key, word, polygons_.size() + skipped_, points_.size()))
+    if (key == "VERTICES" || key == "LINES") return cells(word, lines_, VtkCell::line);
+    if (!attributes_.read(key, word, cell_count(), grid_.points.size()))
       words_.fail(word, shown(word.text) + " is not a supported section");
   }
 
+  std::size_t cell_count() const { return typed_.size() + lines_.size() + polygons_.size() + strips_.size(); }
+
   void points(const MeshWord& at) {
-    if (!points_.empty()) words_.fail(at, "the points are repeated");
+    if (!grid_.points.empty()) words_.fail(at, "the points are repeated");
     const std::size_t count = words_.count("the number of points");
-    words_.word("the type of the points");
+    const VtkType type = numbers_.type("the type of the points");
+    numbers_.begin();
     for (std::size_t i = 0; i < count; ++i) {
-      const double x = words_.number("x"), y = words_.number("y"), z = words_.number("z");
-      points_.push_back({x, y, z});
+      const double x = numbers_.real("x", type), y = numbers_.real("y", type), z = numbers_.real("z", type);
+      grid_.points.push_back({x, y, z});
     }
   }
 
-  long long node() { return words_.integer("a node", 0, static_cast<long long>(points_.size()) - 1); }
-
-  void cells(const MeshWord& at, const std::string& key) {
-    if (points_.empty()) words_.fail(at, shown(at.text) + " comes before the points");
-    if (!polygons_.empty()) words_.fail(at, "the cells are repeated");
-    are_typed_ = key == "CELLS";
+  void cells(const MeshWord& at, std::vector<VtkCell>& list, int type) {
+    if (grid_.points.empty()) words_.fail(at, shown(at.text) + " comes before the points");
+    if (!list.empty() && &list != &lines_) words_.fail(at, "the cells are repeated");
     const std::size_t count = words_.count("the number of cells"),
                       size = words_.count("the size of the list");
-    if (upper_case(words_.peek("the cells").text) == "OFFSETS") return offsets(count, size);
+    if (numbers_.is_binary()) words_.next_line();
+    words_.begins_with("OFFSETS") ? offsets(count, size, list, type) : counted(at, count, size, list, type);
+  }
+
+  // A node of the list of cells.
+  long long node(const VtkType& type) {
+    return numbers_.whole("a node", type, 0, static_cast<long long>(grid_.points.size()) - 1);
+  }
+  VtkCell begin_cell(int type) {
+    if (numbers_.is_binary()) return {{}, type};
+    const MeshWord place = words_.peek("a cell");
+    return {{}, type, place.line, place.column};
+  }
+
+  // Each cell has the number of its nodes before them.
+  void counted(const MeshWord& at, std::size_t count, std::size_t size, std::vector<VtkCell>& list,
+               int type) {
     std::size_t read = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      const MeshWord place = words_.peek("a cell");
-      const auto corners =
-          static_cast<std::size_t>(words_.integer("the number of corners", 0, static_cast<long long>(size)));
-      Cell cell{{}, place.line, place.column, 0};
-      for (std::size_t k = 0; k < corners; ++k) cell.nodes.push_back(node());
+      VtkCell cell = begin_cell(type);
+      const auto corners = static_cast<std::size_t>(
+          numbers_.whole("the number of corners", int_, 0, static_cast<long long>(size)));
+      for (std::size_t k = 0; k < corners; ++k) cell.nodes.push_back(node(int_));
       read += corners + 1;
-      polygons_.push_back(std::move(cell));
+      list.push_back(std::move(cell));
     }
     if (read != size)
       words_.fail(at, "the cells have " + std::to_string(read) + " numbers, not the " + std::to_string(size) +
@@ -93,123 +109,58 @@ class VtkParser {
   }
 
   // Version 5: the begin of each cell, then the nodes of all.
-  void offsets(std::size_t count, std::size_t size) {
+  void offsets(std::size_t count, std::size_t size, std::vector<VtkCell>& list, int type) {
     words_.word("OFFSETS");
-    words_.word("the type of the offsets");
+    const VtkType of_offset = numbers_.type("the type of the offsets");
+    numbers_.begin();
     std::vector<long long> begin;
     for (std::size_t i = 0; i < count; ++i)
-      begin.push_back(
-          words_.integer("an offset", begin.empty() ? 0 : begin.back(), static_cast<long long>(size)));
+      begin.push_back(numbers_.whole("an offset", of_offset, begin.empty() ? 0 : begin.back(),
+                                     static_cast<long long>(size)));
     const MeshWord at = words_.word("CONNECTIVITY");
     if (upper_case(at.text) != "CONNECTIVITY")
       words_.fail(at, shown(at.text) + " is found instead of CONNECTIVITY");
-    words_.word("the type of the connectivity");
-    if (count == 0 || begin.front() != 0 || begin.back() != static_cast<long long>(size))
+    const VtkType of_node = numbers_.type("the type of the connectivity");
+    if (count == 0 ? size != 0 : begin.front() != 0 || begin.back() != static_cast<long long>(size))
       words_.fail(at, "the offsets do not go from 0 to the number of nodes, " + std::to_string(size));
+    numbers_.begin();
     for (std::size_t i = 0; i + 1 < count; ++i) {
-      const MeshWord place = words_.peek("a cell");
-      Cell cell{{}, place.line, place.column, 0};
-      for (auto k = begin[i]; k < begin[i + 1]; ++k) cell.nodes.push_back(node());
-      polygons_.push_back(std::move(cell));
+      VtkCell cell = begin_cell(type);
+      for (auto k = begin[i]; k < begin[i + 1]; ++k) cell.nodes.push_back(node(of_node));
+      list.push_back(std::move(cell));
     }
   }
 
   void types(const MeshWord& at) {
     const std::size_t count = words_.count("the number of cells");
-    if (!are_typed_ || count != polygons_.size())
-      words_.fail(at, std::to_string(count) + " types for " + std::to_string(polygons_.size()) + " cells");
-    for (Cell& cell : polygons_) cell.type = static_cast<int>(words_.integer("the type of a cell", 0, 100));
+    if (typed_.empty() || count != typed_.size())
+      words_.fail(at, std::to_string(count) + " types for " + std::to_string(typed_.size()) + " cells");
+    numbers_.begin();
+    for (VtkCell& cell : typed_)
+      cell.type = static_cast<int>(numbers_.whole("the type of a cell", int_, 0, 100));
     has_types_ = true;
-  }
-
-  void skip_cells() {
-    const std::size_t count = words_.count("the number of cells"),
-                      size = words_.count("the size of the list");
-    const bool has_offsets = size > 0 && upper_case(words_.peek("the cells").text) == "OFFSETS";
-    skip(words_, size + (has_offsets ? count + 4 : 0));
-    skipped_ += has_offsets ? count - (count > 0 ? 1 : 0) : count;
-  }
-
-  // True for cells without area, which are skipped.
-  bool is_skipped(const Cell& cell) const { return cell.type >= 1 && cell.type <= 4; }
-
-  void check(const Cell& cell) const {
-    const MeshWord at{{}, cell.line, cell.column};
-    const std::size_t corners = cell.nodes.size();
-    const bool is_known = cell.type == 0 || cell.type == 5 || (cell.type >= 7 && cell.type <= 9);
-    if (!is_known)
-      words_.fail(
-          at, "cell type " + std::to_string(cell.type) +
-                  " is not supported; allowed: 5 triangle, 7 polygon, 8 pixel, 9 quad (1 to 4 are skipped)");
-    if (corners != 3 && corners != 4)
-      words_.fail(at, "a cell of " + std::to_string(corners) + " corners, allowed: 3 or 4");
-    if ((cell.type == 5 && corners != 3) || (cell.type >= 8 && corners != 4))
-      words_.fail(at,
-                  "cell type " + std::to_string(cell.type) + " with " + std::to_string(corners) + " corners");
-  }
-
-  // Meaning of an array of the cells: panels, or identifiers of cells, which VTK's filters leave behind.
-  enum class Meaning { panels, one_panel, identifiers };
-  Meaning meaning_of(const CellNumbers& numbers) const {
-    if (numbers.name.starts_with("vtkOriginal") || numbers.name.starts_with("vtkGhost"))
-      return Meaning::identifiers;
-    std::unordered_set<std::string_view> values;
-    std::size_t cells = 0;
-    for (std::size_t i = 0; i < polygons_.size(); ++i) {
-      if (is_skipped(polygons_[i])) continue;
-      values.insert(numbers.values[skipped_ + i]);
-      ++cells;
-    }
-    if (values.size() == 1) return Meaning::one_panel;
-    return 2 * values.size() > cells ? Meaning::identifiers : Meaning::panels;
-  }
-
-  // The first array with several panels, otherwise the first with one panel; null if there is neither.
-  const CellNumbers* panels(std::vector<std::string>& identifiers) const {
-    const CellNumbers* one = nullptr;
-    for (const CellNumbers& numbers : attributes_.cell_numbers()) {
-      const Meaning meaning = meaning_of(numbers);
-      if (meaning == Meaning::panels) return &numbers;
-      if (meaning == Meaning::identifiers) identifiers.push_back("cell array " + numbers.name);
-      if (meaning == Meaning::one_panel && !one) one = &numbers;
-    }
-    return one;
   }
 
   Mesh build() {
     const MeshWord end{{}, words_.line(), 1};
-    if (polygons_.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no cells");
-    if (are_typed_ && !has_types_) words_.fail(end, "the file ends here: CELL_TYPES is missing");
-    for (const CellNumbers& numbers : attributes_.cell_numbers())
-      if (numbers.values.size() != polygons_.size() + skipped_)
-        words_.fail(end, "array " + numbers.name + " comes before the end of the cells");
-    std::vector<std::string> identifiers;
-    const CellNumbers* numbers = panels(identifiers);
-    MeshBuilder mesh;
-    for (const Eigen::Vector3d& x : points_) mesh.add_node(x);
-    for (std::size_t i = 0; i < polygons_.size(); ++i) {
-      const Cell& cell = polygons_[i];
-      if (is_skipped(cell)) continue;
-      check(cell);
-      std::vector<int> corners(cell.nodes.begin(), cell.nodes.end());
-      if (cell.type == 8) std::swap(corners[2], corners[3]);
-      // Values of vertices and lines come first, in any order of the sections.
-      mesh.add_polygon(corners,
-                       numbers ? numbers->name + "_" + std::string(numbers->values[skipped_ + i]) : "default",
-                       cell.line);
-    }
-    if (mesh.empty()) throw MeshFileError(words_.name(), 0, 0, "the file has no cells with an area");
-    Mesh result = used_nodes(std::move(mesh).finish());
-    result.skipped = std::move(identifiers);
-    return result;
+    if (!typed_.empty() && !has_types_) words_.fail(end, "the file ends here: CELL_TYPES is missing");
+    // The values of polydata are in this order, whatever the order of the sections.
+    for (auto* list : {&typed_, &lines_, &polygons_, &strips_})
+      std::ranges::move(*list, std::back_inserter(grid_.cells));
+    for (const VtkArray& array : attributes_.arrays())
+      if (array.values.size() != grid_.cells.size())
+        words_.fail(end, "array " + array.name + " comes before the end of the cells");
+    grid_.arrays = std::move(attributes_.arrays());
+    return mesh_of_grid(grid_);
   }
 
+  const VtkType int_{"INT", {NumberType::Kind::whole, 4}};
   TokenReader words_;
-  std::vector<Eigen::Vector3d> points_;
-  std::vector<Cell> polygons_;
-  VtkAttributes attributes_{words_};
-  bool are_typed_ = false, has_types_ = false;
-  std::size_t skipped_ = 0;  // vertices and lines of polydata
+  VtkNumbers numbers_{words_};
+  VtkAttributes attributes_{words_, numbers_};
+  VtkGrid grid_;
+  std::vector<VtkCell> typed_, lines_, polygons_, strips_;
+  bool has_types_ = false;
 };
 
 }  // namespace

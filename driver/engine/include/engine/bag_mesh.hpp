@@ -65,8 +65,8 @@ void refine(BagMesh& bag, int times, const std::vector<std::string>& null_panels
 /// Numbers the nodes of a large bag by membrane::node_order, those of both shapes and the anchors.
 void order_nodes(BagMesh& bag);
 
-/// Throws std::invalid_argument unless `shape` has the elements of `design`. Quads of files may be split
-/// along the other diagonal: the bag has the elements of the design shape.
+/// Throws std::invalid_argument unless `shape` has the elements of `design`. Quads and polygons of
+/// files may be split in another way: the bag has the elements of the design shape.
 void require_same_elements(const mesh::Mesh& design, const mesh::Mesh& shape);
 /// Takes the nodes as initial shape. Throws std::invalid_argument unless both shapes have areas of the same
 /// order.

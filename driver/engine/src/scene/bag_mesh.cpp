@@ -164,10 +164,11 @@ void order_nodes(BagMesh& bag) {
 
 namespace {
 
-/// Sides of two elements, each as it is run; those that both have, once each way, are left out.
-std::set<std::pair<int, int>> run_sides(const Eigen::Matrix3Xi& elements, Eigen::Index first) {
+/// Sides of `count` elements, each as it is run; those that two have, once each way, are left out.
+std::set<std::pair<int, int>> run_sides(const Eigen::Matrix3Xi& elements, Eigen::Index first,
+                                        Eigen::Index count) {
   std::set<std::pair<int, int>> sides;
-  for (Eigen::Index e = first; e < first + 2; ++e)
+  for (Eigen::Index e = first; e < first + count; ++e)
     for (Eigen::Index i = 0; i < 3; ++i) {
       const int a = elements(i, e), b = elements((i + 1) % 3, e);
       if (sides.erase({b, a}) == 0) sides.emplace(a, b);
@@ -175,15 +176,23 @@ std::set<std::pair<int, int>> run_sides(const Eigen::Matrix3Xi& elements, Eigen:
   return sides;
 }
 
-/// The first element that both meshes do not have. A quad of a file is two elements, one after the other,
-/// along either diagonal.
+/// Number of elements from `first` on that are one polygon of a file, cut in two ways; 0 if there is none. A
+/// polygon is as many elements, one after the other, as it has corners, less two.
+Eigen::Index same_polygon(const mesh::Mesh& a, const mesh::Mesh& b, Eigen::Index first) {
+  const Eigen::Index most =
+      std::min<Eigen::Index>(std::max(a.most_corners, b.most_corners) - 2, a.elements.cols() - first);
+  for (Eigen::Index count = 2; count <= most; ++count)
+    if (run_sides(a.elements, first, count) == run_sides(b.elements, first, count)) return count;
+  return 0;
+}
+
+/// The first element that both meshes do not have.
 std::optional<Eigen::Index> first_other(const mesh::Mesh& a, const mesh::Mesh& b) {
-  const bool quads = a.split_quads > 0 || b.split_quads > 0;
   for (Eigen::Index e = 0; e < a.elements.cols(); ++e) {
     if (a.elements.col(e) == b.elements.col(e)) continue;
-    if (!quads || e + 1 == a.elements.cols() || run_sides(a.elements, e) != run_sides(b.elements, e))
-      return e;
-    ++e;
+    const Eigen::Index same = same_polygon(a, b, e);
+    if (same == 0) return e;
+    e += same - 1;
   }
   return {};
 }

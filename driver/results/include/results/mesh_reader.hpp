@@ -10,7 +10,8 @@
 namespace driver {
 
 /// The endings of readable formats, for help and messages.
-inline constexpr const char* mesh_endings = ".obj, .k, .key, .dyn, .rad, .stl, .ply, .off, .vtk, .msh";
+inline constexpr const char* mesh_endings =
+    ".obj, .k, .key, .dyn, .rad, .stl, .ply, .off, .vtk, .vtu, .vtp, .msh";
 
 /// Reads a mesh in the format of the file's ending; lengths are not converted. Throws mesh::MeshFileError for
 /// another

@@ -83,7 +83,8 @@ mesh::Mesh mesh_of(const std::filesystem::path& path, SoupFormat format, const s
 mesh::Mesh read_any_mesh(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
   if (ending != ".stl" && ending != ".ply") {
-    static const std::string others[] = {".obj", ".k", ".key", ".dyn", ".rad", ".off", ".vtk", ".msh"};
+    static const std::string others[] = {".obj", ".k",   ".key", ".dyn", ".rad",
+                                         ".off", ".vtk", ".vtu", ".vtp", ".msh"};
     if (std::find(std::begin(others), std::end(others), ending) == std::end(others))
       fail(path, 0, std::string("a mesh file ends with one of ") + mesh_endings);
     return mesh::read_mesh(path);

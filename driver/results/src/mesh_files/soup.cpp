@@ -7,11 +7,13 @@
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <array>
 #include <limits>
 #include <new>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
+
+#include "mesh/fill.hpp"
 
 namespace driver {
 namespace {
@@ -19,27 +21,14 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
 // Corners of a polygon, of limited number, so that a damaged count does no harm.
-class Corners {
+class Corners : public std::vector<std::size_t> {
  public:
-  using value_type = std::size_t;
-  using iterator = std::size_t*;
-  using const_iterator = const std::size_t*;
   void resize(std::size_t count) {
-    if (count > corner_.size())
-      throw std::length_error("an element of " + std::to_string(count) + " corners, allowed: 3 or 4");
-    count_ = count;
+    if (count > mesh::kMostCorners)
+      throw std::length_error("an element of " + std::to_string(count) + " corners, allowed: 3 to " +
+                              std::to_string(mesh::kMostCorners));
+    std::vector<std::size_t>::resize(count);
   }
-  std::size_t size() const { return count_; }
-  std::size_t& operator[](std::size_t i) { return corner_[i]; }
-  std::size_t operator[](std::size_t i) const { return corner_[i]; }
-  iterator begin() { return corner_.data(); }
-  iterator end() { return corner_.data() + count_; }
-  const_iterator begin() const { return corner_.data(); }
-  const_iterator end() const { return corner_.data() + count_; }
-
- private:
-  std::array<std::size_t, 4> corner_{};
-  std::size_t count_ = 0;
 };
 
 bool read(SoupFormat format, std::istream& bytes, std::vector<Point>& points,

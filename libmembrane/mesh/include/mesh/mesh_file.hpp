@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mesh files by the ending of their name: Wavefront OBJ (.obj), LS-DYNA keyword (.k, .key, .dyn), STL text
-// (.stl), OFF (.off), legacy VTK (.vtk), Gmsh (.msh) and Radioss starter decks (.rad). The last four are
-// read, not written.
+// (.stl), OFF (.off), VTK (.vtk, .vtu, .vtp), Gmsh (.msh) and Radioss starter decks (.rad). The last four
+// are read, not written.
 #pragma once
 
 #include <cstddef>

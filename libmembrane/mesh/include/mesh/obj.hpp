@@ -11,8 +11,8 @@ namespace mesh {
 
 /// Reads OBJ text, lengths in metres. `name` is the file's name in messages. Statements:
 /// - `v x y z [w]`: a node; w is ignored.
-/// - `f` with 3 or 4 corners, each written i, i/j, i//k or i/j/k. The index counts from 1 or, if negative,
-///   back from the last node. Quads are split as by mesh_of_polygons.
+/// - `f` with 3 corners or more, each written i, i/j, i//k or i/j/k. The index counts from 1 or, if negative,
+///   back from the last node. Polygons are split as by mesh_of_polygons.
 /// - `g name`, `o name`: the elements that follow belong to this panel; before the first one, to "default".
 /// - `\` at the end of a line: the statement goes on in the next one.
 /// - `#`: a comment. vt, vn, vp, s, usemtl and mtllib are skipped.

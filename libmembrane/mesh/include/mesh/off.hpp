@@ -10,7 +10,7 @@
 namespace mesh {
 
 /// Reads OFF text (also COFF, NOFF, STOFF); lengths are not converted. `name` is the file's name in messages.
-/// Elements are faces of 3 or 4 corners, quads split as by mesh_of_polygons, in one panel "default". `#`
+/// Elements are faces of 3 corners or more, split as by mesh_of_polygons, in one panel "default". `#`
 /// begins a comment. Nodes that no face uses are left out.
 /// - Usually each vertex or face has its own line. Normals and colours after its coordinates or corners are
 ///   not read.
