@@ -52,10 +52,12 @@ void print_keys(const CaseDocument& document) {
     fmt::print("{}\t{}\t{}\t{}\n", key.path, key.unit, key.allowed, key.fallback);
 }
 
-void print_panels(const mesh::Mesh& mesh) {
+void print_panels(const BagPart& bag) {
+  const mesh::Mesh& mesh = bag.mesh;
   const Eigen::VectorXd areas = mesh::panel_areas(mesh);
   for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
     fmt::print("panel {}: {:.5g} m2\n", mesh.panel_names[i], areas(static_cast<Eigen::Index>(i)));
+  for (const auto& line : bag.closed_holes) fmt::print("{}\n", line);
 }
 
 // Ends of the straps on the design shape, as in a case file, and their panels.
@@ -97,7 +99,7 @@ void print_bag(const Scene& scene, const State& state) {
   fmt::print("\ncritical step at the start: {:.4g} s (alone:{})\n", critical, limits_alone(shares));
   if (const double kept = drift_limit(scene, state); kept < critical)
     fmt::print("step at the start that keeps the energy (M.22), (M.24): {:.4g} s\n", kept);
-  print_panels(bag.mesh);
+  print_panels(bag);
   print_straps(bag);
 }
 

@@ -8,11 +8,13 @@
 #include "base/case_reader.hpp"
 #include "base/result_folder.hpp"
 #include "commands/command.hpp"
+#include "engine/bag_holes.hpp"
 #include "engine/bag_mesh.hpp"
 #include "input_files.hpp"
 #include "mesh/merge.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/turn_outward.hpp"
+#include "mesh_caps.hpp"
 #include "results/bag_shape.hpp"
 #include "results/fields.hpp"
 #include "results/load_scene.hpp"
@@ -96,6 +98,7 @@ void print_report(const BagMesh& bag) {
                *extent);
   const auto faults = surface.describe(mesh.line);
   fmt::print("{}", faults.empty() ? "closed control volume: yes\n" : "closed control volume: no\n" + faults);
+  if (!surface.boundary_edges.empty()) fmt::print("{}", list_of_holes(mesh));
 }
 
 // Writes a mesh. If the format cannot represent it, the error names the option of the file.
@@ -171,9 +174,11 @@ void require_control_volume(const BagMesh& bag, const MeshArguments& arguments) 
                      ((report.inward && !report.flat) || !report.inconsistent_edges.empty());
   throw CaseError(
       fmt::format("{}: is not a closed control volume, and nothing is written; allowed: a closed surface "
-                  "that is wound outward, or --report{}{}\n{}",
+                  "that is wound outward, or --report{}{}{}\n{}{}",
                   arguments.file.string(), joins ? "; --merge DISTANCE joins nodes that nearly meet" : "",
-                  turns ? "; --outward turns elements" : "", report.describe(bag.mesh.line)));
+                  report.boundary_edges.empty() ? "" : "; --cap NAME closes holes",
+                  turns ? "; --outward turns elements" : "", report.describe(bag.mesh.line),
+                  report.boundary_edges.empty() ? "" : list_of_holes(bag.mesh)));
 }
 
 void check_state_ending(const std::filesystem::path& out) {
@@ -222,13 +227,17 @@ int mesh_convert(const MeshArguments& arguments) {
     if (!arguments.panels.empty()) bag.mesh = mesh::only_panels(bag.mesh, arguments.panels);
     mesh::scale(bag.mesh, arguments.length_unit);
     print_reading(bag, arguments);
-    if (arguments.outward) fmt::print("elements turned: {}\n", mesh::turn_outward(bag.mesh));
+    const int turned = arguments.outward ? mesh::turn_outward(bag.mesh) : 0;
+    std::vector<std::string> null_panels = arguments.null_panels;
+    close_holes_of(bag.mesh, arguments, null_panels);
+    // Only a closed surface tells its inside for certain.
+    if (arguments.outward) fmt::print("elements turned: {}\n", turned + mesh::turn_outward(bag.mesh));
     bag.initial = std::exchange(bag.mesh.start, std::nullopt);
     if (bag.initial && arguments.initial.empty() && !arguments.out.empty())
       fmt::print("--out has the stress-free shape of the deck; --initial writes the initial shape\n");
     require_areas(bag.mesh, arguments.file);
     if (!arguments.report) require_control_volume(bag, arguments);
-    finish(std::move(bag), arguments, arguments.null_panels);
+    finish(std::move(bag), arguments, null_panels);
     return exit_done;
   });
 }

@@ -16,6 +16,13 @@ std::string shown(double value) {
   return text.str();
 }
 
+std::string three_digits(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
 void reject(std::string_view where, const std::string& field, double value, const std::string& allowed) {
   throw std::invalid_argument(std::string(where) + ": " + field + " = " + shown(value) +
                               ", allowed: " + allowed);

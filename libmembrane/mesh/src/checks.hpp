@@ -13,7 +13,8 @@ struct Mesh;
 [[noreturn]] void reject(std::string_view where, const std::string& field, double value,
                          const std::string& allowed);
 
-std::string shown(double value);  // with enough digits to distinguish it from its neighbours
+std::string three_digits(double value);  // for reading
+std::string shown(double value);         // with enough digits to distinguish it from its neighbours
 
 void require_positive(std::string_view where, const char* field, double value);  // finite and > 0
 

@@ -4,20 +4,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
 #include <numbers>
+
+#include "checks.hpp"
 
 namespace mesh {
 namespace {
 
 constexpr double kLeastArea = 1e-9;  // twice an area over a squared length, below which it is none
-
-std::string three_digits(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();

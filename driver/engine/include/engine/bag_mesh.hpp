@@ -18,6 +18,8 @@ struct BagMesh {
   mesh::Mesh mesh;                                // stress-free design shape
   std::optional<Eigen::Matrix3Xd> initial;        // 3 x nodes [m], if not the design shape
   std::vector<std::array<int, 2>> strap_anchors;  // of the generator: back and front node
+  std::vector<std::string> closed_holes = {};     // a line for each
+  std::vector<std::string> caps = {};             // names of the panels that close them
   int collapsed = 0;                              // elements of the file that drop_collapsed() left out
 
   const Eigen::Matrix3Xd& shape() const { return initial ? *initial : mesh.nodes; }

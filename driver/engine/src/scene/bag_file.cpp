@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/bag_holes.hpp"
+#include "mesh/holes.hpp"
 #include "mesh/mesh_file.hpp"
 #include "mesh/surface_check.hpp"
 
@@ -36,15 +38,18 @@ void warn_of_neglected(const mesh::Mesh& mesh, const std::filesystem::path& file
                     file.string(), fmt::join(mesh.neglected, ", ")));
 }
 
-// What `gasjet mesh convert` can do about it.
+// What a case or `gasjet mesh convert` can do about it.
 std::string remedy(const mesh::SurfaceReport& report, Closed closed) {
   std::vector<std::string> remedies;
-  if (closed == Closed::needed && !report.boundary_edges.empty())
-    remedies.emplace_back("--merge DISTANCE joins nodes that nearly meet");
+  if (closed != Closed::free && !report.boundary_edges.empty())
+    remedies.emplace_back(
+        "--merge DISTANCE joins nodes that nearly meet; --cap NAME closes holes, as cap = true does in a "
+        "case");
   if ((report.inward && !report.flat) || !report.inconsistent_edges.empty())
     remedies.emplace_back("--outward turns elements");
   if (!report.unused_nodes.empty()) remedies.emplace_back("it leaves out nodes that no element uses");
-  return remedies.empty() ? "" : fmt::format("(gasjet mesh convert: {})\n", fmt::join(remedies, "; "));
+  return (report.flat ? "([[membrane.fold]] with type = \"press\" parts the sheets by a gap)\n" : "") +
+         (remedies.empty() ? "" : fmt::format("(gasjet mesh convert: {})\n", fmt::join(remedies, "; ")));
 }
 
 // A start that is wound inward although the shape as cut is wound outward has other nodes than it should.
@@ -59,20 +64,49 @@ void require_not_mirrored(const BagMesh& source, const std::filesystem::path& st
                     start.string(), mesh::enclosed_volume(*source.initial, source.mesh.elements), cut));
 }
 
+std::string holes_of(const mesh::Mesh& mesh, Closed closed) {
+  return closed == Closed::free ? "" : list_of_holes(mesh);
+}
+
 void require_sound(const BagMesh& source, const std::filesystem::path& file,
                    const std::filesystem::path& start, Closed closed) {
-  auto report = mesh::check_closed_surface(source.shape(), source.mesh.elements);
-  if (closed == Closed::free) report.boundary_edges.clear();
+  const auto report = surface_report(source.shape(), source.mesh.elements, closed);
   if (report.ok()) return;
   require_not_mirrored(source, start, report);
   const std::string left_out = source.collapsed > 0 ? collapsed_text(source) + "; " : "";
-  throw CaseError(fmt::format("{}: mesh: is not a {}: {}{}{}",
-                              place_of_element(source.mesh, file, report.first_element()),
-                              closed == Closed::free ? "sheet" : "closed control volume", left_out,
-                              report.describe(source.mesh.line), remedy(report, closed)));
+  throw CaseError(fmt::format(
+      "{}: mesh: is not a {}: {}{}{}", place_of_element(source.mesh, file, report.first_element()),
+      closed == Closed::free ? "sheet" : "closed control volume", left_out,
+      report.describe(source.mesh.line) + holes_of(source.mesh, closed), remedy(report, closed)));
+}
+
+// A null panel for each hole.
+void cap_holes(TableReader& table, BagMesh& source) {
+  const bool is_asked = table.at("cap").flag(false);
+  if (!is_asked && table.has("cap_length")) table.fail("cap_length", "needs cap = true");
+  const double longest = table.at("cap_length").number(positive.in("m"), longest_hole);
+  if (!is_asked) return;
+  table.located("cap", [&] {
+    const auto holes = mesh::find_holes(source.mesh.nodes, source.mesh.elements, source.mesh.line);
+    if (holes.empty()) throw std::invalid_argument("the mesh has no hole");
+    std::vector<Cap> caps;
+    for (int i = 1; i <= static_cast<int>(holes.size()); ++i) {
+      caps.push_back({fmt::format("cap_{}", i), i});
+      source.caps.push_back(caps.back().panel);
+    }
+    source.closed_holes = close_holes(source.mesh, caps, longest);
+  });
 }
 
 }  // namespace
+
+mesh::SurfaceReport surface_report(const Eigen::Matrix3Xd& nodes, const Eigen::Matrix3Xi& elements,
+                                   Closed closed) {
+  auto report = mesh::check_closed_surface(nodes, elements);
+  if (closed == Closed::free) report.boundary_edges.clear();
+  if (closed == Closed::before_folds && report.flat) report.flat = report.inward = false;
+  return report;
+}
 
 BagMesh mesh_of_files(TableReader& table, const MeshReader& read_mesh, Closed closed, Scene& scene) {
   const double unit = table.at("length_unit").number(positive.in("m"), 1.0);
@@ -92,6 +126,7 @@ BagMesh mesh_of_files(TableReader& table, const MeshReader& read_mesh, Closed cl
   source.mesh.start.reset();
   drop_collapsed(source, file);
   require_areas(source.mesh, file);
+  cap_holes(table, source);
   require_sound(source, file, start, closed);
   return source;
 }

@@ -44,14 +44,17 @@ BagMesh generated_mesh(TableReader& table) {
           {}};
 }
 
-BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh,
-                      const std::vector<std::string>& null_panels, Closed closed, Scene& scene) {
+BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh, std::vector<std::string>& null_panels,
+                      Closed closed, Scene& scene) {
   BagMesh source;
   table.located("", [&] {
     source = table.has("file") ? mesh_of_files(table, read_mesh, closed, scene) : generated_mesh(table);
+    for (const auto& cap : source.caps)
+      if (std::ranges::find(null_panels, cap) == null_panels.end()) null_panels.push_back(cap);
     const int times = table.at("refine").integer(0, 6, 0);
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
-    if (closed == Closed::needed) mesh::require_closed_surface(source.shape(), source.mesh.elements);
+    if (const auto report = surface_report(source.shape(), source.mesh.elements, closed); !report.ok())
+      throw std::invalid_argument("surface is not a closed control volume:\n" + report.describe());
     refine(source, times, null_panels);
     order_nodes(source);
   });
@@ -145,9 +148,12 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   if (!scene.gas && !table->has("overpressure"))
     root.fail("gas", "is missing: a [membrane] needs [gas] for a bag, or overpressure for a sheet");
   const auto overpressure = read_overpressure(*table, scene);
-  const auto null_panels = table->at("null_panels").texts();
+  auto null_panels = table->at("null_panels").texts();
   BagMesh source = read_bag_mesh(table->table("mesh"), read_mesh, null_panels,
-                                 overpressure ? Closed::free : Closed::needed, scene);
+                                 overpressure         ? Closed::free
+                                 : table->has("fold") ? Closed::before_folds
+                                                      : Closed::needed,
+                                 scene);
   warn_of_size(source.mesh, table->has_in_table("mesh", "file"), scene);
   if (source.collapsed > 0) scene.warnings.push_back("membrane.mesh: " + collapsed_text(source));
   membrane::BagDescription bag;
@@ -167,6 +173,8 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   const auto folding = read_folds(*table, source.mesh, position, bag);
   if (folding) {
     position = folding->nodes();
+    if (!overpressure && mesh::check_closed_surface(position, source.mesh.elements).flat)
+      table->fail("fold", "leaves the sheets on each other, without a volume; begin with type = \"press\"");
     for (auto& text : tight_straps(bag.straps, position)) scene.warnings.push_back(std::move(text));
   }
   const double amplitude = table->at("perturbation").number(Bounds{0.0, 1e-3, false, "0 to 1e-3", "m"}, 0.0);
@@ -185,6 +193,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
                               std::move(masses),
                               {},
                               {}});
+    scene.bag->closed_holes = source.closed_holes;
     if (folding) {
       scene.bag->fold_lines = folding->lines();
       scene.bag->gathered = folding->gathered();
