@@ -141,7 +141,7 @@ const Fault kFaults[] = {
     {"empty_array", "sphere_inflation", "time = [0.0, 0.02, 0.04]", "time = []", "inflator.0.mass_flow",
      "equal numbers are needed", "mass_flow = {"},
     {"wide_outlet", "passenger_pendulum", "centre = [0.0, 0.0, 0.0] ", "centre = [0.0, 0.1, 0.0] ",
-     "inflator.0.jet.centre", "0.14, -0.0225] m is outside the bag", "centre = [0.0, 0.1, 0.0"},
+     "inflator.0.jet.centre", "0.14, 0] m is outside the bag", "centre = [0.0, 0.1, 0.0"},
     {"plate_behind", "passenger_pendulum", "normal = [1.0, 0.0, 0.0] }", "normal = [-1.0, 0.0, 0.0] }",
      "membrane.plate", "has the bag behind it", "plate = {"},
     {"short_side_longer", "passenger_pendulum", "short_side = 0.045 ", "short_side = 0.2 ",

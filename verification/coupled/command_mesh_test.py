@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """`gasjet mesh`: generators, conversions, meshes of decks and of states."""
+import json
 import os
 import re
 import shutil
 from pathlib import Path
 
 import pytest
-from command import arrays, change, expect, ok, read, refused, write
+from command import arrays, change, expect, numbers, ok, read, refused, write
 
 CLOSED = "closed control volume: yes"
 
@@ -137,6 +138,48 @@ def test_mesh_caps(driver):
     refused("mesh.cap: the hole of 12 nodes.* is longer than 0.3 m", "check capped.toml --set membrane.mesh.cap_length=0.3")
     refused("cap_length: needs cap = true", "check capped.toml --set membrane.mesh.cap=false --set membrane.mesh.cap_length=1")
     refused("--cap NAME closes holes, as cap = true does in a case", "check capped.toml --set membrane.mesh.cap=false")
+
+
+def test_flat_bag_with_a_jet_along_it(driver):
+    """Two sheets without a gap are pressed apart; a jet between them opens the bag, and all balances hold."""
+    write("flat.toml", """[scene]
+name = "flat"
+end_time = 0.008
+[gas]
+thermodynamics = "constant"
+initial = { composition = { N2 = 1.0 } }
+[[inflator]]
+composition = { N2 = 1.0 }
+mass_flow = { time = [0.0, 0.002, 0.02], value = [0.0, 0.8, 0.0] }
+temperature = 500.0
+[inflator.jet]
+shape = "round"
+radius = 0.012
+centre = [0.0005, -0.27, 0.0]
+axis = [0.0, 1.0, 0.0]
+decay_coefficient = 0.08
+temperature = "stagnation"
+outlet = "pressure_matched"
+[fabric]
+young_modulus = 60e6
+poisson_ratio = 0.3
+density = 620.0
+thickness = 0.5e-3
+leak_law = "none"
+[membrane]
+mesh = { file = "design.k" }
+fixed_panels = ["attachment"]
+[[membrane.fold]]
+type = "press"
+gap = 1e-3""")
+    warned = ok("check flat.toml").said
+    assert "its outlet is wider than the bag at the start, 0.001 m thick there" in warned
+    ok("run flat.toml --quiet --out flat")
+    assert max(numbers("flat/history.csv")["jet_force_N"]) > 50.0
+    residual = json.loads(read("flat/summary.json"))["residual"]
+    assert residual["mass_rel"] < 1e-12 and residual["momentum_rel"] < 1e-12 and abs(residual["energy_rel"]) < 1e-4
+    change("flat.toml", (r"\[\[membrane.fold[^$]*", ""), to="unpressed.toml")
+    refused('type = "press" parts the sheets by a gap', "check unpressed.toml")
 
 
 def test_mesh_deck():

@@ -245,7 +245,14 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
   warn_of_square_nozzle(widest, index, scene.warnings);
   warn_if_coarse(widest, index, nodes, elements, subdivisions, scene.warnings);
   if (scene.target) require_target_ahead(*table, model, *scene.target);
-  if (scene.bag) table->located("centre", [&] { require_outlet_inside(model, *scene.bag); });
+  if (scene.bag)
+    table->located("centre", [&] {
+      if (const auto thickness = require_outlet_inside(model, *scene.bag))
+        scene.warnings.push_back(
+            fmt::format("jet of inflator {}: its outlet is wider than the bag at the start, {:.3g} m thick "
+                        "there: what blows beside the skin pushes nothing until the bag has opened",
+                        index, *thickness));
+    });
   table->finish();
 }
 
