@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """`gasjet mesh`: generators, conversions, meshes of decks and of states."""
-import json
 import os
 import re
 import shutil
 from pathlib import Path
 
 import pytest
-from command import arrays, change, expect, numbers, ok, read, refused, write
+from command import arrays, change, expect, ok, read, refused, write
 
 CLOSED = "closed control volume: yes"
 
@@ -101,85 +100,6 @@ def test_mesh_formats(driver):
           "property list uchar int vertex_indices\nend_header", pyramid)
     for name in ("pyramid.off", "pyramid.ply"):
         expect(0, "^quads split in two: 1$", f"mesh convert {name}")
-
-
-def test_mesh_caps(driver):
-    """Holes where the module's patch and the vents were are listed, and closed to the same bag."""
-    gone, lines = False, []
-    for line in read("open.obj").splitlines():
-        if line.startswith("g "):
-            gone = line[2:] in ("attachment", "vent_left", "vent_right")
-        if not gone:
-            lines.append(line)
-    write("holed.obj", *lines)
-    place = r"0.00131 m2 around \(0.00917, -?0.186, 0.00648\) m, 0.00011 m off its plane$"
-    listed = rf"^hole 1: 12 nodes, 0.311 m long, 0.0075 m2 around \(0, 0, 0\) m, 0 m off its plane\nhole 2: 6 nodes, 0.162 m long, {place}"
-    refused("holed.obj: is not a closed control volume.*; --cap NAME closes holes", "mesh convert holed.obj")
-    expect(0, listed, "mesh convert holed.obj --report")
-    expect(0, "^panel mouth closes hole 1: 12 nodes", "mesh convert holed.obj --cap vents --cap mouth=1 --out capped.obj")
-    report = ok("mesh convert capped.obj").out
-    for says in ("volume 0.0059362 m3", "panel vents: 8 elements, 0.00261", CLOSED, "panel mouth: 10 elements, 0.0075 m2"):
-        assert says in report
-    expect(0, "panel lid: 42 elements", "mesh convert holed.obj --cap lid --refine 1")  # rims alone are refined
-    for says, options in (("0.311 m long.* is longer than 0.2 m, the longest to be closed", "--cap all --cap-length 0.2"),
-                          ("there is no hole 4; the surface has 3", "--cap vent=4"), ("hole 2 is closed twice", "--cap a=2 --cap b=2"),
-                          ('has a panel "back" already', "--cap back"), ("NAME=HOLE with the number", "--cap vent=x"),
-                          ("--cap-length needs --cap", "--cap-length 1")):
-        refused(says, f"mesh convert holed.obj {options} --out bad.obj")
-    # In a case they are null panels.
-    ok("mesh convert holed.obj --report --out used.obj")  # without the nodes inside the holes
-    change("cases/sphere_inflation.toml", ("^mesh = .*", 'mesh = { file = "used.obj", cap = true }'), to="capped.toml")
-    checked = ok("check capped.toml")
-    for number, nodes in ((1, 12), (2, 6), (3, 6)):
-        assert f"panel cap_{number} closes hole {number}: {nodes} nodes" in checked.out
-    assert 'nothing flows through the hole "cap_1" of 0.0075 m2' in checked.said
-    ok("mesh case capped.toml --out from_case.k")
-    expect(0, "volume 0.0059362 m3", "mesh convert from_case.k")
-    refused("mesh.cap: the hole of 12 nodes.* is longer than 0.3 m", "check capped.toml --set membrane.mesh.cap_length=0.3")
-    refused("cap_length: needs cap = true", "check capped.toml --set membrane.mesh.cap=false --set membrane.mesh.cap_length=1")
-    refused("--cap NAME closes holes, as cap = true does in a case", "check capped.toml --set membrane.mesh.cap=false")
-
-
-def test_flat_bag_with_a_jet_along_it(driver):
-    """Two sheets without a gap are pressed apart; a jet between them opens the bag, and all balances hold."""
-    write("flat.toml", """[scene]
-name = "flat"
-end_time = 0.008
-[gas]
-thermodynamics = "constant"
-initial = { composition = { N2 = 1.0 } }
-[[inflator]]
-composition = { N2 = 1.0 }
-mass_flow = { time = [0.0, 0.002, 0.02], value = [0.0, 0.8, 0.0] }
-temperature = 500.0
-[inflator.jet]
-shape = "round"
-radius = 0.012
-centre = [0.0005, -0.27, 0.0]
-axis = [0.0, 1.0, 0.0]
-decay_coefficient = 0.08
-temperature = "stagnation"
-outlet = "pressure_matched"
-[fabric]
-young_modulus = 60e6
-poisson_ratio = 0.3
-density = 620.0
-thickness = 0.5e-3
-leak_law = "none"
-[membrane]
-mesh = { file = "design.k" }
-fixed_panels = ["attachment"]
-[[membrane.fold]]
-type = "press"
-gap = 1e-3""")
-    warned = ok("check flat.toml").said
-    assert "its outlet is wider than the bag at the start, 0.001 m thick there" in warned
-    ok("run flat.toml --quiet --out flat")
-    assert max(numbers("flat/history.csv")["jet_force_N"]) > 50.0
-    residual = json.loads(read("flat/summary.json"))["residual"]
-    assert residual["mass_rel"] < 1e-12 and residual["momentum_rel"] < 1e-12 and abs(residual["energy_rel"]) < 1e-4
-    change("flat.toml", (r"\[\[membrane.fold[^$]*", ""), to="unpressed.toml")
-    refused('type = "press" parts the sheets by a gap', "check unpressed.toml")
 
 
 def test_mesh_deck():

@@ -49,6 +49,11 @@ TEST(written_files, are_the_same_prism) {
     const bool is_gmsh = file.extension() == ".msh";
     EXPECT_EQ(mesh.node_count(), is_gmsh ? 12 : 10) << file;  // Gmsh meshes its ends with a node in each
     EXPECT_EQ(mesh.split_polygons, is_gmsh ? 0 : 2) << file;
+    ASSERT_EQ(mesh.node_sets.size(), is_gmsh ? 1u : 0u) << file;  // a physical curve round an end
+    if (is_gmsh) {
+      EXPECT_EQ(mesh.node_sets[0].name, "rim");
+      EXPECT_EQ(mesh.node_sets[0].nodes, (std::vector<int>{0, 1, 2, 3, 4}));
+    }
     EXPECT_EQ(mesh.panel_names[0], is_gmsh ? "ends" : "part_1") << file;
     EXPECT_EQ(mesh.panel_names[1], is_gmsh ? "walls" : "part_2") << file;
     EXPECT_NEAR(mesh::panel_areas(mesh)(0), 2.0 * end, 1e-14) << file;

@@ -13,16 +13,19 @@
 namespace driver::commands {
 namespace {
 
-// NAME or NAME=HOLE.
+// NAME, NAME=HOLE or NAME=SET.
 Cap cap_of(const std::string& text) {
-  const auto equals = text.rfind('=');
+  const auto equals = text.find('=');
   if (equals == std::string::npos) return {text, {}};
+  const std::string panel = text.substr(0, equals), which = text.substr(equals + 1);
+  if (panel.empty() || which.empty())
+    throw CaseError(fmt::format(
+        "--cap {}: allowed: NAME, or NAME= with the number of a hole or the name of a node set", text));
   int hole = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + equals + 1, end, hole);
-  if (error != std::errc{} || stop != end || equals == 0)
-    throw CaseError(fmt::format("--cap {}: allowed: NAME, or NAME=HOLE with the number of a hole", text));
-  return {text.substr(0, equals), hole};
+  const char* end = which.data() + which.size();
+  const auto [stop, error] = std::from_chars(which.data(), end, hole);
+  if (error == std::errc{} && stop == end) return {panel, hole};
+  return {panel, {}, which};
 }
 
 }  // namespace

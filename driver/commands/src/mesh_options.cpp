@@ -84,9 +84,9 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
   convert->add_option("--merge", arguments.merge, "join nodes within this distance [m]")->check(not_negative);
   convert->add_flag("--outward", arguments.outward, "turn elements so that the surface is wound outward");
   convert
-      ->add_option(
-          "--cap", arguments.caps,
-          "close all holes, or the one of this number in the report, by a null panel; may be repeated")
+      ->add_option("--cap", arguments.caps,
+                   "close all holes, or the one of this number or node set in the report, by a null panel; "
+                   "may be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME[=HOLE]");
   convert->add_option("--cap-length", arguments.cap_length, "longest hole to close [m]; default: 1.5")

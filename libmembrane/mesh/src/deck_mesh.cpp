@@ -58,12 +58,12 @@ void DeckMesh::require_node(const Corner& corner) const {
 
 /// Positions of nodes in the stress-free shape; empty if the deck has none that can be used.
 DeckPlaces DeckMesh::design() {
-  if (reference_.empty()) return {};
-  for (const auto& [number, corners] : reference_.shells())
+  if (reference.empty()) return {};
+  for (const auto& [number, corners] : reference.shells())
     for (const Corner& corner : corners) require_node(corner);
   DeckPlaces start;
   for (const Node& node : nodes_) start.emplace(node.number, node.position);
-  auto shape = reference_.shape(shells_, start);
+  auto shape = reference.shape(shells_, start);
   if (shape.half)
     neglect("the reference shape, because the deck lists only the nodes at seams of part " +
             std::to_string(*shape.half) + "");
@@ -103,6 +103,7 @@ Mesh DeckMesh::build() {
   Mesh mesh = std::move(builder).finish();
   if (is_moved) mesh.start = Eigen::Map<const Eigen::Matrix3Xd>(start.front().data(), 3, mesh.nodes.cols());
   if (files_.size() > 1) mesh.line.clear();  // lines of several files are ambiguous
+  mesh.node_sets = sets.of_mesh(index);
   const auto listed = [](const std::map<std::string, int>& counts) {
     std::vector<std::string> list;
     for (const auto& [name, count] : counts)

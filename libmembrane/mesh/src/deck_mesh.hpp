@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "deck_reference.hpp"
+#include "deck_sets.hpp"
 #include "mesh/mesh_file.hpp"
 
 namespace mesh {
@@ -33,8 +34,8 @@ class DeckMesh {
   void skip(const std::string& name, bool is_element) { (is_element ? elements_ : skipped_)[name] += 1; }
   /// Counts content that changes the bag and is not read, by its name.
   void neglect(const std::string& name) { neglected_[name] += 1; }
-  /// The stress-free shape, for the readers of its cards.
-  DeckReference& reference() { return reference_; }
+  DeckReference reference;  // the stress-free shape, for the readers of its cards
+  DeckSets sets;            // of nodes
 
   bool has_shells() const { return !shells_.empty(); }
   /// Nodes in the order of the deck, those that a shell uses; panels in the order of their first shell.
@@ -58,7 +59,6 @@ class DeckMesh {
   std::map<Id, std::string> part_names_;
   std::set<std::string> used_names_;
   std::map<std::string, int> elements_, skipped_, neglected_;
-  DeckReference reference_;
 };
 
 }  // namespace mesh

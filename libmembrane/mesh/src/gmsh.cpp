@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -169,13 +170,16 @@ class GmshParser {
 
   std::size_t line() { return numbers_.is_binary() ? 0 : words_.peek("an element").line; }
 
-  void add_element(std::size_t corners, long long element_number, std::string panel, std::size_t line) {
+  // `group` is that of version 2; in version 4 the entity has groups.
+  void add_element(std::size_t corners, long long element_number, std::string panel, std::size_t line,
+                   std::optional<long long> group, long long entity) {
     Element element{{}, line, element_number, std::move(panel)};
     for (std::size_t k = 0; k < corners; ++k) {
       const MeshWord at = numbers_.place("a node");
       const long long node = numbers_.item("a node");
       element.nodes.push_back(nodes_.index_of(at, node));
     }
+    if (corners == 2) groups_.add_line(group, entity, element.nodes);
     if (corners >= 3) elements_.push_back(std::move(element));
   }
 
@@ -191,7 +195,8 @@ class GmshParser {
       const long long value = numbers_.tag("a tag");
       if (k < 2) tag_of[k] = value;
     }
-    add_element(corners, element_number, groups_.panel_of(std::abs(tag_of[0]), tag_of[1]), line);
+    add_element(corners, element_number, groups_.panel_of(std::abs(tag_of[0]), tag_of[1]), line, tag_of[0],
+                tag_of[1]);
   }
 
   void elements() {
@@ -234,7 +239,7 @@ class GmshParser {
       for (std::size_t i = 0; i < count; ++i) {
         const std::size_t at_line = line();
         const long long element_number = numbers_.item("the element's number");
-        add_element(corners, element_number, panel, at_line);
+        add_element(corners, element_number, panel, at_line, {}, entity);
       }
       found += count;
     }
@@ -246,7 +251,9 @@ class GmshParser {
     MeshBuilder mesh;
     for (const Eigen::Vector3d& x : nodes_.positions) mesh.add_node(x);
     for (const Element& e : elements_) mesh.add_polygon(e.nodes, e.panel, e.line);
-    return used_nodes(std::move(mesh).finish(words_.name()));
+    Mesh result = std::move(mesh).finish(words_.name());
+    result.node_sets = groups_.node_sets();
+    return used_nodes(std::move(result));
   }
 
   TokenReader words_;

@@ -6,12 +6,14 @@
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "gmsh_numbers.hpp"
+#include "mesh/mesh.hpp"
 #include "mesh_text.hpp"
 #include "mesh_tokens.hpp"
 
@@ -33,6 +35,7 @@ class GmshGroups {
       const std::string_view rest = words_.rest_of_line();
       if (rest.size() < 2 || rest.front() != '"' || rest.back() != '"')
         words_.fail(at, shown(rest) + " is not a name in quotes");
+      if (dimension == 1) curve_names_[group] = panel_name(rest.substr(1, rest.size() - 2));
       if (dimension == 2) names_[group] = panel_name(rest.substr(1, rest.size() - 2));
     }
   }
@@ -49,14 +52,32 @@ class GmshGroups {
         const std::size_t groups = numbers_.count("the number of physical groups");
         for (std::size_t k = 0; k < groups; ++k) {
           const long long group = numbers_.tag("a physical group");
-          if (dimension == 2)
-            groups_of_surface_[entity].insert(std::abs(group));  // its sign is an
-                                                                 // orientation
+          // Its sign is an orientation.
+          if (dimension == 1) groups_of_curve_[entity].insert(std::abs(group));
+          if (dimension == 2) groups_of_surface_[entity].insert(std::abs(group));
         }
         if (dimension == 0) continue;
         const std::size_t bounding = numbers_.count("the number of bounding entities");
         for (std::size_t k = 0; k < bounding; ++k) numbers_.tag("an entity");
       }
+  }
+
+  /// Adds the nodes of a line to the sets of its physical curves, by its group (version 2) or its entity.
+  void add_line(std::optional<long long> group, long long entity, const std::vector<int>& nodes) {
+    std::set<long long> groups;
+    if (group && *group != 0) groups.insert(std::abs(*group));
+    if (const auto found = groups_of_curve_.find(entity); !group && found != groups_of_curve_.end())
+      groups = found->second;
+    for (const long long number : groups) {
+      const auto name = curve_names_.find(number);
+      auto& set = sets_[name == curve_names_.end() ? "physical_" + std::to_string(number) : name->second];
+      set.insert(nodes.begin(), nodes.end());
+    }
+  }
+  std::vector<NodeSet> node_sets() const {
+    std::vector<NodeSet> list;
+    for (const auto& [name, nodes] : sets_) list.push_back({name, {nodes.begin(), nodes.end()}});
+    return list;
   }
 
   std::string panel_of(long long group, long long surface) const {
@@ -80,8 +101,9 @@ class GmshGroups {
  private:
   TokenReader& words_;
   GmshNumbers& numbers_;
-  std::map<long long, std::string> names_;  // of the physical surfaces
-  std::map<long long, std::set<long long>> groups_of_surface_;
+  std::map<long long, std::string> names_, curve_names_;  // of physical surfaces and curves
+  std::map<long long, std::set<long long>> groups_of_surface_, groups_of_curve_;
+  std::map<std::string, std::set<int>> sets_;
 };
 
 /// Nodes, and the index of each node number.

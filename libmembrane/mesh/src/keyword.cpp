@@ -10,6 +10,7 @@
 #include "deck_card.hpp"
 #include "deck_files.hpp"
 #include "keyword_reference.hpp"
+#include "keyword_sets.hpp"
 
 namespace mesh {
 namespace {
@@ -92,6 +93,7 @@ class KeywordParser {
     include,
     more_includes,
     reference,
+    set,
     end
   };
 
@@ -122,8 +124,13 @@ class KeywordParser {
   void read(std::string_view line) {
     if (line.starts_with('$')) return;
     if (line.starts_with('*')) return keyword(line);
-    if (at_.section == Section::part_title) return title(line);  // may be blank
+    if (at_.section == Section::part_title) {  // may be blank
+      title_ = line;
+      at_.section = Section::part_data;
+      return;
+    }
     if (at_.section == Section::shell && cards_left_ > 0) return card_of_option(line);
+    if (at_.section == Section::set) return sets_.read(line, at_.file, at_.line, at_.is_long);
     if (at_.section == Section::reference) return reference_.read(line, at_.file, at_.line, at_.is_long);
     if (line.find_first_not_of(" \t") == std::string_view::npos) return;
     if (at_.section == Section::start) fail(1, shown(line) + ": a keyword file begins with *KEYWORD");
@@ -162,6 +169,7 @@ class KeywordParser {
     if (word == "*END") return Section::end;
     if (word == "*INCLUDE") return Section::include;
     if (reference_.begins(word)) return Section::reference;
+    if (sets_.begins(word)) return Section::set;
     cards_of_shell_ =
         word.starts_with(kShell) ? cards_of_options(std::string_view(word).substr(kShell.size())) : -1;
     cards_left_ = 0;
@@ -219,11 +227,6 @@ class KeywordParser {
           "looks like a shell, but the shell before still needs the card of its option: " + shown(line));
   }
 
-  void title(std::string_view line) {
-    title_ = line;
-    at_.section = Section::part_data;
-  }
-
   void part(std::string_view line) {
     const DeckCard fields = card(line, kPartWidths);
     deck_.name_part(fields.id(0, "the part's number"), title_, fields.place(0));
@@ -252,6 +255,7 @@ class KeywordParser {
   DeckMesh deck_;
   DeckFiles files_;
   KeywordReference reference_{deck_};
+  KeywordSets sets_{deck_};
   Cursor at_;
   std::string word_;           // the present keyword
   std::string title_;          // title of the part whose data card comes next

@@ -32,7 +32,7 @@ bool KeywordReference::begins(std::string_view word) {
     has_birth_ = has_birth_ || option == "BIRTH";
     rest.remove_prefix(option.size());
   }
-  if (!of_shells_) deck_.reference().begin(0);
+  if (!of_shells_) deck_.reference.begin(0);
   return true;
 }
 
@@ -42,12 +42,12 @@ void KeywordReference::read(std::string_view line, int file, std::size_t number,
   if (line.find_first_not_of(" \t") == std::string_view::npos) return;
   if (!of_shells_) {
     const DeckCard card(deck_, file, number, line, kReferenceNodes[is_long]);
-    return deck_.reference().add_node(card.id(0, "the node's number"), card.point(1));
+    return deck_.reference.add_node(card.id(0, "the node's number"), card.point(1));
   }
   const DeckCard card(deck_, file, number, line, kReferenceShells[is_long]);
   std::vector<DeckCorner> corners{card.corner(2), card.corner(3), card.corner(4)};
   if (!card.blank_or_zero(5)) corners.push_back(card.corner(5));
-  deck_.reference().add_shell(card.id(0, "the element's number"), std::move(corners));
+  deck_.reference.add_shell(card.id(0, "the element's number"), std::move(corners));
 }
 
 void KeywordReference::scales(std::string_view line, int file, std::size_t number, bool is_long) {
@@ -58,7 +58,7 @@ void KeywordReference::scales(std::string_view line, int file, std::size_t numbe
     scale[static_cast<Eigen::Index>(i)] = value == 0.0 ? 1.0 : value;
   }
   if (!of_shells_)
-    deck_.reference().begin(0, scale, card.whole(4).value_or(0));
+    deck_.reference.begin(0, scale, card.whole(4).value_or(0));
   else if (scale != Eigen::Vector3d::Ones())
     deck_.neglect("SX, SY and SZ of *AIRBAG_SHELL_REFERENCE_GEOMETRY");
 }

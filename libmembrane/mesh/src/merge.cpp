@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "node_sets.hpp"
 
 namespace mesh {
 namespace {
@@ -92,8 +93,11 @@ void keep_nodes(Mesh& mesh, const std::vector<bool>& stays, const std::vector<in
     }
   mesh.nodes.conservativeResize(3, count);
   if (mesh.start) mesh.start->conservativeResize(3, count);
-  for (int& corner : mesh.elements.reshaped())
-    corner = place[static_cast<std::size_t>(of[static_cast<std::size_t>(corner)])];
+  const auto now = [&](int node) {
+    return place[static_cast<std::size_t>(of[static_cast<std::size_t>(node)])];
+  };
+  for (int& corner : mesh.elements.reshaped()) corner = now(corner);
+  mesh.node_sets = renumbered_sets(mesh.node_sets, now);
 }
 
 // Removes elements with two equal corners; returns their number.

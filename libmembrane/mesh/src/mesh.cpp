@@ -14,6 +14,7 @@
 #include "checks.hpp"
 #include "mesh_builder.hpp"
 #include "mesh_text.hpp"
+#include "node_sets.hpp"
 
 namespace mesh {
 namespace {
@@ -59,6 +60,8 @@ Mesh renumbered(const Mesh& mesh, const std::vector<int>& order) {
     if (mesh.start) result.start->col(static_cast<Eigen::Index>(i)) = mesh.start->col(order[i]);
   }
   for (int& node : result.elements.reshaped()) node = place[static_cast<std::size_t>(node)];
+  result.node_sets =
+      renumbered_sets(mesh.node_sets, [&](int node) { return place[static_cast<std::size_t>(node)]; });
   return result;
 }
 
@@ -110,6 +113,8 @@ Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names) {
   if (mesh.line.empty()) part.line.clear();
   if (mesh.start) part.start = (*mesh.start)(Eigen::all, nodes);
   part.split_quads = mesh.split_quads;
+  part.node_sets =
+      renumbered_sets(mesh.node_sets, [&](int node) { return number[static_cast<std::size_t>(node)]; });
   part.other_elements = mesh.other_elements;
   part.skipped = mesh.skipped;
   part.neglected = mesh.neglected;

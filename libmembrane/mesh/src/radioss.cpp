@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::array<std::size_t, 4> kNodeColumns = {10, 20, 20, 20};
 constexpr std::array<std::size_t, 5> kCornerColumns = {10, 10, 10, 10, 10};
+constexpr std::array<std::size_t, 10> kSetColumns = {10, 10, 10, 10, 10, 10, 10, 10, 10, 10};
 
 // Blocks of elements other than shells.
 constexpr std::string_view kOtherElements[] = {"BEAM",   "BRIC20", "BRICK",  "PENTA6",  "QUAD",
@@ -41,7 +42,20 @@ class RadiossParser {
   }
 
  private:
-  enum class Block { engine, start, skipped, elements, node, shell, triangle, part_title, reference, end };
+  enum class Block {
+    engine,
+    start,
+    skipped,
+    elements,
+    node,
+    shell,
+    triangle,
+    part_title,
+    set_title,
+    set,
+    reference,
+    end
+  };
 
   Place place(std::size_t column) const { return {file_, line_, column}; }
 
@@ -65,6 +79,7 @@ class RadiossParser {
     if (line.starts_with('#') || line.starts_with('$')) return;
     if (line.starts_with('/')) return block(line);
     if (block_ == Block::part_title) return title(line);  // may be blank
+    if (block_ == Block::set_title) return set_title(line);
     if (block_ == Block::reference) return reference_.read(line, file_, line_);
     if (line.find_first_not_of(" \t") == std::string_view::npos) return;
     if (block_ == Block::start)
@@ -72,6 +87,7 @@ class RadiossParser {
     if (block_ == Block::node) node(line);
     if (block_ == Block::shell || block_ == Block::triangle) shell(line);
     if (block_ == Block::elements) deck_.skip(word_, true);
+    if (block_ == Block::set) set(line);
   }
 
   void block(std::string_view line) {
@@ -88,16 +104,18 @@ class RadiossParser {
       deck_.fail(place(1), shown(line) + ": nodes in units of their own are not supported");
     const bool is_reference = reference_.begins(line, [&] { return part_number(line, slash + 1); });
     const bool is_element = std::ranges::find(kOtherElements, word) != std::end(kOtherElements);
-    block_ = word == "NODE"    ? Block::node
-             : word == "SHELL" ? Block::shell
-             : word == "SH3N"  ? Block::triangle
-             : word == "PART"  ? Block::part_title
-             : word == "END"   ? Block::end
-             : is_reference    ? Block::reference
-             : is_element      ? Block::elements
-                               : Block::skipped;
+    block_ = word == "NODE"                     ? Block::node
+             : word == "SHELL"                  ? Block::shell
+             : word == "SH3N"                   ? Block::triangle
+             : word == "PART"                   ? Block::part_title
+             : word == "END"                    ? Block::end
+             : line.starts_with("/GRNOD/NODE/") ? Block::set_title
+             : is_reference                     ? Block::reference
+             : is_element                       ? Block::elements
+                                                : Block::skipped;
     if (block_ == Block::shell || block_ == Block::triangle || block_ == Block::part_title)
       part_ = part_number(line, slash + 1);
+    if (block_ == Block::set_title) part_ = part_number(line, std::string_view("/GRNOD/NODE/").size());
     if (block_ == Block::skipped && word != "BEGIN") deck_.skip(word_, false);
     if (std::ranges::find(kChanges, word) != std::end(kChanges)) deck_.neglect(word_);
   }
@@ -113,6 +131,18 @@ class RadiossParser {
   void title(std::string_view line) {
     deck_.name_part(part_, std::string(line), place(1));
     block_ = Block::skipped;
+  }
+
+  void set_title(std::string_view line) {
+    deck_.sets.begin(std::string(line), part_);
+    block_ = Block::set;
+  }
+
+  // Text that is no node number is not read.
+  void set(std::string_view line) {
+    const DeckCard card(deck_, file_, line_, line, kSetColumns);
+    for (std::size_t i = 0; i < kSetColumns.size(); ++i)
+      if (const auto node = card.whole(i)) deck_.sets.add(*node);
   }
 
   void node(std::string_view line) {
@@ -149,7 +179,7 @@ class RadiossParser {
   std::size_t line_ = 0;
   Block block_ = Block::start;
   std::string word_;       // the present block
-  DeckMesh::Id part_ = 0;  // part of the present block
+  DeckMesh::Id part_ = 0;  // number of the present block's part or set
 };
 
 }  // namespace

@@ -49,7 +49,7 @@ void RadiossReference::read(std::string_view line, int file, std::size_t number)
   const DeckCard card(deck_, file, number, line, std::array<std::size_t, 5>{10, 10, 10, 10, 10});
   std::vector<DeckCorner> corners{card.corner(1), card.corner(2), card.corner(3)};
   if (!card.blank_or_zero(4)) corners.push_back(card.corner(4));
-  deck_.reference().add_shell(card.id(0, "the element's number"), std::move(corners));
+  deck_.reference.add_shell(card.id(0, "the element's number"), std::move(corners));
 }
 
 void RadiossReference::finish() {
@@ -59,7 +59,7 @@ void RadiossReference::finish() {
 
 void RadiossReference::include(bool is_short) {
   has_file_ = false;
-  deck_.reference().begin(0);
+  deck_.reference.begin(0);
   files_.include(deck_, file_place_, file_, [&](std::string_view text, const std::string& name) {
     const int file = deck_.open(name);
     for (std::size_t line = 1; !text.empty(); ++line)
@@ -71,7 +71,7 @@ void RadiossReference::include(bool is_short) {
 void RadiossReference::node(std::string_view line, int file, std::size_t number, bool is_short) {
   const std::size_t of_id = is_short ? 8 : 10, of_place = is_short ? 16 : 20;
   const DeckCard card(deck_, file, number, line, std::array{of_id, of_place, of_place, of_place});
-  deck_.reference().add_node(card.id(0, "the node's number"), card.point(1));
+  deck_.reference.add_node(card.id(0, "the node's number"), card.point(1));
 }
 
 }  // namespace mesh

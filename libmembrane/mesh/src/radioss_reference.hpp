@@ -26,7 +26,7 @@ class RadiossReference {
              : line.starts_with("/REFSTA")  ? Block::file
                                             : Block::none;
     heads_ = block_ == Block::nodes ? 2 : block_ == Block::shells ? 1 : 0;
-    if (block_ == Block::nodes) deck_.reference().begin(part());
+    if (block_ == Block::nodes) deck_.reference.begin(part());
     return block_ != Block::none;
   }
   /// The next card; it may be blank.

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include "engine/bag_holes.hpp"
-#include "mesh/holes.hpp"
 #include "mesh/mesh_file.hpp"
 #include "mesh/surface_check.hpp"
 
@@ -87,13 +86,8 @@ void cap_holes(TableReader& table, BagMesh& source) {
   const double longest = table.at("cap_length").number(positive.in("m"), longest_hole);
   if (!is_asked) return;
   table.located("cap", [&] {
-    const auto holes = mesh::find_holes(source.mesh.nodes, source.mesh.elements, source.mesh.line);
-    if (holes.empty()) throw std::invalid_argument("the mesh has no hole");
-    std::vector<Cap> caps;
-    for (int i = 1; i <= static_cast<int>(holes.size()); ++i) {
-      caps.push_back({fmt::format("cap_{}", i), i});
-      source.caps.push_back(caps.back().panel);
-    }
+    const std::vector<Cap> caps = caps_of_all(source.mesh);
+    for (const Cap& cap : caps) source.caps.push_back(cap.panel);
     source.closed_holes = close_holes(source.mesh, caps, longest);
   });
 }

@@ -2,8 +2,10 @@
 #include "engine/bag_holes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -12,30 +14,78 @@
 namespace driver {
 namespace {
 
+// Names of the node sets that have all nodes of a hole.
+std::vector<std::string> sets_of(const mesh::Hole& hole, const mesh::Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const mesh::NodeSet& set : mesh.node_sets)
+    if (std::ranges::all_of(hole.nodes,
+                            [&](int node) { return std::ranges::binary_search(set.nodes, node); }))
+      names.push_back(set.name);
+  return names;
+}
+
+std::string described(const mesh::Hole& hole, const mesh::Mesh& mesh) {
+  const auto sets = sets_of(hole, mesh);
+  return mesh::describe(hole) + (sets.empty() ? "" : fmt::format("; node set {}", fmt::join(sets, ", ")));
+}
+
+std::vector<std::size_t> holes_of_set(const std::string& set, const std::vector<mesh::Hole>& holes,
+                                      const mesh::Mesh& mesh) {
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    if (const auto sets = sets_of(holes[i], mesh); std::ranges::find(sets, set) != sets.end())
+      list.push_back(i);
+  if (!list.empty()) return list;
+  std::vector<std::string> known;
+  for (const mesh::NodeSet& one : mesh.node_sets) known.push_back(one.name);
+  throw std::invalid_argument(
+      std::ranges::find(known, set) != known.end()
+          ? fmt::format("node set \"{}\" has all nodes of no hole", set)
+          : fmt::format("there is no node set \"{}\"{}", set,
+                        known.empty() ? "" : fmt::format("; the file has {}", fmt::join(known, ", "))));
+}
+
 // The holes of a cap, from 0.
-std::vector<std::size_t> holes_of(const Cap& cap, std::size_t count) {
-  std::vector<std::size_t> list(count);
+std::vector<std::size_t> holes_of(const Cap& cap, const std::vector<mesh::Hole>& holes,
+                                  const mesh::Mesh& mesh) {
+  if (!cap.set.empty()) return holes_of_set(cap.set, holes, mesh);
+  std::vector<std::size_t> list(holes.size());
   std::iota(list.begin(), list.end(), std::size_t{0});
   if (!cap.hole) return list;
   const auto number = static_cast<std::size_t>(std::max(*cap.hole, 0));
-  if (number < 1 || number > count)
-    throw std::invalid_argument(fmt::format("there is no hole {}; the surface has {}{}", *cap.hole, count,
-                                            count == 0 ? "" : ", which gasjet mesh convert --report lists"));
+  if (number < 1 || number > holes.size())
+    throw std::invalid_argument(
+        fmt::format("there is no hole {}; the surface has {}", *cap.hole, holes.size()));
   return {number - 1};
 }
 
 }  // namespace
 
 std::string list_of_holes(const mesh::Mesh& mesh) {
+  constexpr std::size_t most = 20;
   try {
     std::string text;
     const auto holes = mesh::find_holes(mesh.nodes, mesh.elements, mesh.line);
-    for (std::size_t i = 0; i < holes.size(); ++i)
-      text += fmt::format("hole {}: {}\n", i + 1, mesh::describe(holes[i]));
-    return text;
+    for (std::size_t i = 0; i < std::min(holes.size(), most); ++i)
+      text += fmt::format("hole {}: {}\n", i + 1, described(holes[i], mesh));
+    return text + (holes.size() > most ? fmt::format("and {} shorter holes\n", holes.size() - most) : "");
   } catch (const std::invalid_argument& error) {
     return fmt::format("{}\n", error.what());
   }
+}
+
+std::vector<Cap> caps_of_all(const mesh::Mesh& mesh) {
+  const auto holes = mesh::find_holes(mesh.nodes, mesh.elements, mesh.line);
+  if (holes.empty()) throw std::invalid_argument("the mesh has no hole");
+  std::vector<std::string> used = mesh.panel_names;
+  std::vector<Cap> caps;
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    const auto sets = sets_of(holes[i], mesh);
+    const bool is_named = sets.size() == 1 && std::ranges::find(used, sets.front()) == used.end();
+    caps.push_back({is_named ? sets.front() : fmt::format("cap_{}", i + 1), static_cast<int>(i) + 1});
+    used.push_back(caps.back().panel);
+  }
+  return caps;
 }
 
 std::vector<std::string> close_holes(mesh::Mesh& mesh, const std::vector<Cap>& caps, double longest) {
@@ -44,14 +94,15 @@ std::vector<std::string> close_holes(mesh::Mesh& mesh, const std::vector<Cap>& c
   std::vector<bool> is_closed(holes.size(), false);
   std::vector<std::string> lines;
   std::vector<Cap> ordered = caps;  // one for all holes takes those that no other does
-  std::ranges::stable_partition(ordered, [](const Cap& cap) { return cap.hole.has_value(); });
+  const auto takes_rest = [](const Cap& cap) { return !cap.hole && cap.set.empty(); };
+  std::ranges::stable_partition(ordered, std::not_fn(takes_rest));
   for (const Cap& cap : ordered) {
     if (std::ranges::find(own, cap.panel) != own.end())
       throw std::invalid_argument(
           fmt::format("the mesh has a panel \"{}\" already; a cap is a panel of its own", cap.panel));
-    for (const std::size_t i : holes_of(cap, holes.size())) {
+    for (const std::size_t i : holes_of(cap, holes, mesh)) {
       if (is_closed[i]) {
-        if (!cap.hole) continue;
+        if (takes_rest(cap)) continue;
         throw std::invalid_argument(fmt::format("hole {} is closed twice", i + 1));
       }
       is_closed[i] = true;

@@ -11,6 +11,12 @@
 
 namespace mesh {
 
+/// Nodes that a file names together, such as the rim of a vent.
+struct NodeSet {
+  std::string name;
+  std::vector<int> nodes;  // from 0, ascending, each once
+};
+
 /// Triangulated surface. Elements are wound counter-clockwise seen from outside (outward orientation).
 struct Mesh {
   Eigen::Matrix3Xd nodes;  // [m] 3 x N, node positions
@@ -21,9 +27,10 @@ struct Mesh {
   std::vector<std::string> panel_names;  // one name per panel, unique
   /// [M] line of each element in its file, from 1, for messages; empty if the mesh was not read.
   std::vector<int> line;
-  int split_quads = 0;     // number of quads in the file, each split in two elements
-  int split_polygons = 0;  // number of polygons with more corners in the file, split in elements
-  int most_corners = 3;    // of these polygons
+  std::vector<NodeSet> node_sets;  // of a deck, and of Gmsh's physical curves
+  int split_quads = 0;             // number of quads in the file, each split in two elements
+  int split_polygons = 0;          // number of polygons with more corners in the file, split in elements
+  int most_corners = 3;            // of these polygons
   /// of a deck: keywords of elements other than shells, with their number.
   std::vector<std::string> other_elements;
   std::vector<std::filesystem::path> included;  // of a deck: included files
