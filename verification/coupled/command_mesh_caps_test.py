@@ -117,6 +117,8 @@ gap = 1e-3""")
     warned = ok("check flat.toml").said
     assert "its outlet is wider than the bag at the start, 0.001 m thick there" in warned
     ok("run flat.toml --quiet --out flat")
+    ok("mesh state flat --time 0.008 --out state.vtp")
+    expect(0, "panel panel_0: 1176 elements", "mesh convert state.vtp")
     assert max(numbers("flat/history.csv")["jet_force_N"]) > 50.0
     residual = json.loads(read("flat/summary.json"))["residual"]
     assert residual["mass_rel"] < 1e-12 and residual["momentum_rel"] < 1e-12 and abs(residual["energy_rel"]) < 1e-4

@@ -95,7 +95,7 @@ std::vector<std::string> close_holes(mesh::Mesh& mesh, const std::vector<Cap>& c
   std::vector<std::string> lines;
   std::vector<Cap> ordered = caps;  // one for all holes takes those that no other does
   const auto takes_rest = [](const Cap& cap) { return !cap.hole && cap.set.empty(); };
-  std::ranges::stable_partition(ordered, std::not_fn(takes_rest));
+  std::stable_partition(ordered.begin(), ordered.end(), std::not_fn(takes_rest));
   for (const Cap& cap : ordered) {
     if (std::ranges::find(own, cap.panel) != own.end())
       throw std::invalid_argument(
