@@ -30,6 +30,7 @@ struct LoopPlane {
 /// The plane of a closed line, `corners` [m] 3 x N with N >= 3.
 LoopPlane loop_plane(const Eigen::Ref<const Eigen::Matrix3Xd>& corners);
 
+/// What fills a closed line.
 struct Filling {
   std::vector<std::array<int, 3>> triangles;  // corners from 0, which run as the line does
   std::string fault;                          // why there are none; empty if there are

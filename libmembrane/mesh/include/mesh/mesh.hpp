@@ -13,7 +13,7 @@ namespace mesh {
 
 /// Nodes that a file names together, such as the rim of a vent.
 struct NodeSet {
-  std::string name;
+  std::string name;        // blanks are _
   std::vector<int> nodes;  // from 0, ascending, each once
 };
 
