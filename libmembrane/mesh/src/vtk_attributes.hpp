@@ -115,16 +115,16 @@ class VtkAttributes {
   void skip_dimensioned(bool has_type) {
     words_.word("a name");
     const auto components = static_cast<std::size_t>(words_.integer("the number of components", 1, 4));
-    const VtkType type = has_type ? numbers_.type("a type") : byte;
+    const VtkType type = has_type ? numbers_.type("a type") : byte_;
     numbers_.skip(components * count_, type);
   }
   void skip_table() {
     words_.word("a name");
     const std::size_t size = words_.count("the size of the table");
-    numbers_.skip(4 * size, byte);
+    numbers_.skip(4 * size, byte_);
   }
 
-  const VtkType byte{"UNSIGNED_CHAR", {NumberType::Kind::unsigned_whole, 1}};
+  const VtkType byte_{"UNSIGNED_CHAR", {NumberType::Kind::unsigned_whole, 1}};
   TokenReader& words_;
   VtkNumbers& numbers_;
   Of of_ = Of::none;
