@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "skin_lanes.hpp"
 
@@ -45,19 +44,16 @@ void fill(PartBoxes& boxes, const std::vector<int>& corners, const SkinMotion& m
 
 }  // namespace
 
-SkinBoxes::SkinBoxes(std::shared_ptr<const SkinParts> parts)
-    : parts_(std::move(parts)),
-      groups_(parts_->groups.count()),
-      known_(parts_->groups.count(), -1),
-      corners_(parts_->groups.count()) {
+SkinBoxes::SkinBoxes(const SkinParts& parts)
+    : groups_(parts.groups.count()), known_(parts.groups.count(), -1), corners_(parts.groups.count()) {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     auto& [of_nodes, of_edges, of_elements] = corners_[g];
     const auto group = static_cast<int>(g);
-    for (const int n : parts_->group_nodes[group]) of_nodes.push_back(n);
-    for (const int e : parts_->group_edges[group])
-      for (const int n : parts_->edges[static_cast<std::size_t>(e)]) of_edges.push_back(n);
-    for (const int e : parts_->group_elements(group))
-      for (const int n : parts_->triangles.col(e)) of_elements.push_back(n);
+    for (const int n : parts.group_nodes[group]) of_nodes.push_back(n);
+    for (const int e : parts.group_edges[group])
+      for (const int n : parts.edges[static_cast<std::size_t>(e)]) of_edges.push_back(n);
+    for (const int e : parts.group_elements(group))
+      for (const int n : parts.triangles.col(e)) of_elements.push_back(n);
     reserve(groups_[g].nodes, of_nodes.size());
     reserve(groups_[g].edges, of_edges.size() / 2);
     reserve(groups_[g].elements, of_elements.size() / 3);
@@ -69,10 +65,7 @@ const GroupBoxes& SkinBoxes::of(int group, const SkinMotion& motion) {
   GroupBoxes& boxes = groups_[g];
   if (known_[g] == level_) return boxes;
   known_[g] = level_;
-  boxes.whole = empty_box();
-  const ElementGroups& groups = parts_->groups;
-  for (std::size_t k = groups.first_node[g]; k < groups.first_node[g + 1]; ++k)
-    add(boxes.whole, motion.path_box(groups.nodes[k]));
+  boxes.whole = motion.group_box(group);
   fill<1>(boxes.nodes, corners_[g][0], motion);
   fill<2>(boxes.edges, corners_[g][1], motion);
   fill<3>(boxes.elements, corners_[g][2], motion);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes of the paths of a skin's parts in the last step, by groups.
+// Boxes of the paths of a skin's parts in the last step and on the way ahead, by groups.
 #pragma once
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "skin_box.hpp"
@@ -25,17 +24,16 @@ struct GroupBoxes {
   PartBoxes nodes, edges, elements;  // in their order in the group
 };
 
-/// The boxes of all groups at the last level; each is worked out when it is first asked for.
+/// The boxes of all groups; each is worked out when it is first asked for.
 class SkinBoxes {
  public:
-  explicit SkinBoxes(std::shared_ptr<const SkinParts> parts);
+  explicit SkinBoxes(const SkinParts& parts);
 
   /// Forgets all boxes.
   void forget() { ++level_; }
   const GroupBoxes& of(int group, const SkinMotion& motion);
 
  private:
-  std::shared_ptr<const SkinParts> parts_;
   std::vector<GroupBoxes> groups_;
   std::vector<long> known_;  // at that level
   long level_ = 0;

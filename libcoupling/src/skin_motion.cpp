@@ -45,6 +45,14 @@ void SkinMotion::advance(const Nodes& nodes) {
   step();
 }
 
+Box SkinMotion::group_box(int group) const {
+  const auto g = static_cast<std::size_t>(group);
+  Box box = empty_box();
+  for (std::size_t k = groups_->first_node[g]; k < groups_->first_node[g + 1]; ++k)
+    add(box, path_box(groups_->nodes[k]));
+  return box;
+}
+
 void SkinMotion::step() {
   Four total{};
   for (std::size_t n = 0; n < points_now_.size(); ++n) {

@@ -21,6 +21,8 @@ class SkinMotion {
   const Eigen::Matrix3Xd& before() const { return before_; }
   /// Box of the node's path in the last step and `ahead` steps like that, from some origin.
   const Box& path_box(int node) const { return path_boxes_[static_cast<std::size_t>(node)]; }
+  /// Box of those of the group.
+  Box group_box(int group) const;
 
   /// [m] Length of a path as long as that of any node of the group, since the start and in the last step, in
   /// a frame that moves with the skin.

@@ -11,15 +11,13 @@ SkinSearch::SkinSearch(std::shared_ptr<const SkinParts> parts, bool every_pair)
       every_pair_(every_pair),
       margin_(static_cast<float>(parts_->mean_edge)),
       motion_(parts_->groups, kAhead),
-      boxes_(parts_),
+      boxes_(*parts_),
       awake_(parts_->groups.count(), 0.0) {}
 
 void SkinSearch::pair_groups() {
-  const ElementGroups& groups = parts_->groups;
-  std::vector<Box> boxes(groups.count(), empty_box());
-  for (std::size_t g = 0; g < groups.count(); ++g)
-    for (std::size_t k = groups.first_node[g]; k < groups.first_node[g + 1]; ++k)
-      add(boxes[g], motion_.path_box(groups.nodes[k]));
+  std::vector<Box> boxes;
+  for (std::size_t g = 0; g < parts_->groups.count(); ++g)
+    boxes.push_back(motion_.group_box(static_cast<int>(g)));
   const float reach =
       2.0F * (static_cast<float>(parts_->parameters.thickness) + margin_) + motion_.rounding();
   const std::vector<GroupPair> old = std::exchange(pairs_, {});
@@ -42,7 +40,7 @@ double SkinSearch::least_distance(const GroupPair& pair) {
   const auto near_of = [&](bool edges) {
     return static_cast<float>(parts_->reach_of(edges)) + motion_.rounding();
   };
-  // What is farther apart than that need not be known: nearer parts are found sooner.
+  // Distances beyond that are not worked out.
   double least = std::max(near_of(false), 1.2F * margin_);
   if (const float apart = gap(a.whole, b.whole); apart > least) return apart - motion_.rounding();
   const double most = motion_.step(pair.first) + motion_.step(pair.second);

@@ -4,8 +4,8 @@
 // The skin's elements are in groups of 16 neighbours, each with the nodes and edges that it owns. Groups
 // whose boxes are near are paired; others cannot touch before a node has moved by a margin. A look at a pair
 // says how far its parts are apart at least: it rests until the paths of its nodes are as long. A look takes
-// all parts of which the boxes, of their paths in the last step, are near, so that what met between two
-// levels is seen. Forces have an order that depends on the mesh alone.
+// all parts of which the boxes are near. Boxes hold the paths of the last step, so that what met between two
+// levels is seen, and of kAhead steps like that. Forces have an order that depends on the mesh alone.
 #pragma once
 #include <cstdint>
 #include <memory>
