@@ -205,8 +205,7 @@ SurfaceReport check_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nod
   if (closed && report.inconsistent_edges.empty() && report.non_finite_nodes.empty()) {
     report.volume = enclosed_volume(nodes, elements);
     report.inward = !(report.volume > 0.0);
-    const double area = element_areas(nodes, elements).sum();
-    report.flat = area > 0.0 && is_flat(report.volume, area);
+    report.flat = is_flat(report.volume, element_areas(nodes, elements).sum());
   }
   return report;
 }

@@ -53,7 +53,8 @@ BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh, std::vecto
       if (std::ranges::find(null_panels, cap) == null_panels.end()) null_panels.push_back(cap);
     const int times = table.at("refine").integer(0, 6, 0);
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
-    if (const auto report = surface_report(source.shape(), source.mesh.elements, closed); !report.ok())
+    const auto report = surface_report(source.shape(), source.mesh.elements, closed);
+    if (closed != Closed::free && !report.ok())
       throw std::invalid_argument("surface is not a closed control volume:\n" + report.describe());
     refine(source, times, null_panels);
     order_nodes(source);
