@@ -11,6 +11,7 @@
 #include "claim.hpp"
 #include "closed_form/membrane.hpp"
 #include "closed_form/weave.hpp"
+#include "mesh/icosphere.hpp"
 #include "run_case.hpp"
 
 namespace {
@@ -144,10 +145,54 @@ TEST(roller, faults_are_named) {
   says("{panels=[\"wall\"],directions=[]}", "directions: is missing or empty");
   says("{panels=[],directions=[\"x\"]}", "panels: is empty");
   says("{panels=[\"roof\"],directions=[\"x\"]}", "roof");
-  says("{directions=[\"x\"]}", "one of the two");
-  says("{panels=[\"wall\"],low=[0,0,0],high=[1,1,1],directions=[\"x\"]}", "one of the two");
+  says("{directions=[\"x\"]}", "one of the three");
+  says("{panels=[\"wall\"],low=[0,0,0],high=[1,1,1],directions=[\"x\"]}", "one of the three");
+  says("{nodes=[1],low=[0,0,0],high=[1,1,1],directions=[\"x\"]}", "one of the three");
+  says("{nodes=[0],directions=[\"x\"]}", "whole numbers of 1 or more");
+  says("{nodes=[1.5],directions=[\"x\"]}", "names node 1.5");
+  says("{nodes=[100000],directions=[\"x\"]}",
+       "names node 100000, allowed: numbers of the mesh's nodes, 1 to");
   says("{low=[0,0,0],directions=[\"x\"]}", "high");
   says("{low=[1,1,1],high=[0,0,0],directions=[\"x\"]}", "box without a node");
+}
+
+// Numbers count the nodes of the file, also if elements without area leave some of them out.
+TEST(roller, nodes_by_number_are_those_of_the_file) {
+  const coupled::Folder folder;
+  std::string text = half_cylinder(8);
+  // A node above all others, and a triangle that repeats the place of a corner: it goes, and the node with
+  // it.
+  const std::string first = text.substr(0, text.find('\n') + 1);
+  const auto faces = text.find("g skin");
+  text.insert(faces, first);
+  const int nodes = 9 * 5 + 1;
+  text += fmt::format("f 1 {} 2\n", nodes);
+  std::ofstream(folder.path / "half_cylinder.obj") << text;
+  std::ofstream(folder.path / "half_cylinder.toml") << coupled::read(coupled::case_file("half_cylinder"));
+  driver::CaseDocument document(folder.path / "half_cylinder.toml", {"membrane.fixed_nodes=[3, 1, 3]"});
+  const driver::Scene scene = driver::load_scene(document);
+  const auto& fixed = scene.bag->model.description.fixed_nodes;
+  EXPECT_EQ(fixed, (std::vector<int>{0, 2}));
+  const auto says = coupled::message_of(folder.path / "half_cylinder.toml",
+                                        {fmt::format("membrane.fixed_nodes=[{}]", nodes)});
+  EXPECT_NE(says.find("is left out with the elements that have no area"), std::string::npos) << says;
+}
+
+// The order that a large bag's nodes get for speed does not change what numbers mean.
+TEST(roller, numbers_survive_the_order_of_a_large_bag) {
+  const std::vector<std::string> large{"membrane.mesh={generator=\"icosphere\",radius=0.3,levels=6}"};
+  auto overrides = large;
+  overrides.emplace_back("membrane.fixed_nodes=[1,100,4000]");
+  const auto scene = coupled::scene_of("sphere_inflation", overrides);
+  const auto design = mesh::icosphere(0.3, 6);
+  ASSERT_NE(scene.bag->mesh.nodes, design.nodes);
+  for (const int wanted : {0, 99, 3999}) {
+    double nearest = 1.0;
+    for (const int node : scene.bag->model.description.fixed_nodes)
+      nearest = std::min(nearest, (scene.bag->mesh.nodes.col(node) - design.nodes.col(wanted)).norm());
+    EXPECT_EQ(nearest, 0.0) << wanted;
+  }
+  EXPECT_EQ(scene.bag->model.description.fixed_nodes.size(), 3u);
 }
 
 }  // namespace

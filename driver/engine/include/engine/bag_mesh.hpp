@@ -21,6 +21,8 @@ struct BagMesh {
   std::vector<std::string> closed_holes = {};     // a line for each
   std::vector<std::string> caps = {};             // names of the panels that close them
   int collapsed = 0;                              // elements of the file that drop_collapsed() left out
+  /// Node of each node of the file; -1: left out; empty: all, in the order of the file.
+  std::vector<int> node_of_file = {};
 
   const Eigen::Matrix3Xd& shape() const { return initial ? *initial : mesh.nodes; }
 };

@@ -84,7 +84,17 @@ std::string place_of_element(const mesh::Mesh& mesh, const std::filesystem::path
 }
 
 void drop_collapsed(BagMesh& bag, const std::filesystem::path& file) {
+  const int before = bag.mesh.node_count();
+  mesh::Mesh numbered = bag.mesh;
+  Eigen::Matrix3Xd number = Eigen::Matrix3Xd::Zero(3, before);
+  number.row(0).setLinSpaced(before, 0.0, before - 1.0);
   bag.collapsed = mesh::drop_collapsed(bag.mesh, bag.initial ? &*bag.initial : nullptr);
+  if (bag.mesh.node_count() < before) {
+    mesh::drop_collapsed(numbered, &number);
+    bag.node_of_file.assign(static_cast<std::size_t>(before), -1);
+    for (int i = 0; i < number.cols(); ++i)
+      bag.node_of_file[static_cast<std::size_t>(std::lround(number(0, i)))] = i;
+  }
   if (bag.mesh.element_count() == 0)
     throw CaseError(fmt::format("{}: mesh: no element has an area: {}", file.string(), collapsed_text(bag)));
 }
@@ -160,6 +170,14 @@ void order_nodes(BagMesh& bag) {
     *bag.initial = initial(Eigen::all, order);
   }
   bag.mesh = mesh::renumbered(bag.mesh, order);
+  std::vector<int> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  if (bag.node_of_file.empty())
+    bag.node_of_file = place;
+  else
+    for (int& node : bag.node_of_file)
+      if (node >= 0) node = place[static_cast<std::size_t>(node)];
 }
 
 namespace {

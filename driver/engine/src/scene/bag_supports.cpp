@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace driver {
@@ -22,6 +23,29 @@ std::vector<int> nodes_of_panels(TableReader& table, const std::string& key, con
   return nodes;
 }
 
+// The node of the mesh that has this number in its file, from 1.
+int node_numbered(TableReader& table, const std::string& key, double number, const BagMesh& source) {
+  const auto count = static_cast<double>(
+      source.node_of_file.empty() ? source.mesh.node_count() : static_cast<int>(source.node_of_file.size()));
+  if (number != std::floor(number) || number < 1.0 || number > count)
+    table.fail(
+        key, fmt::format("names node {:g}, allowed: numbers of the mesh's nodes, 1 to {:g}", number, count));
+  const auto index = static_cast<int>(number) - 1;
+  const int node = source.node_of_file.empty() ? index : source.node_of_file[static_cast<std::size_t>(index)];
+  if (node < 0)
+    table.fail(key,
+               fmt::format("names node {:g}, which is left out with the elements that have no area", number));
+  return node;
+}
+
+std::vector<int> nodes_numbered(TableReader& table, const std::string& key, const BagMesh& source) {
+  std::vector<int> nodes;
+  if (!table.has(key)) return nodes;
+  for (const double number : table.at(key).numbers(Bounds{1.0, 1e9, false, "whole numbers of 1 or more"}))
+    nodes.push_back(node_numbered(table, key, number, source));
+  return nodes;
+}
+
 // Nodes of the design shape in a box.
 std::vector<int> nodes_in_box(TableReader& table, const mesh::Mesh& mesh) {
   const Eigen::Vector3d low = table.at("low").vector("m"), high = table.at("high").vector("m");
@@ -34,12 +58,18 @@ std::vector<int> nodes_in_box(TableReader& table, const mesh::Mesh& mesh) {
   return nodes;
 }
 
-void read_rollers(TableReader& table, const mesh::Mesh& mesh, membrane::BagDescription& bag) {
+std::vector<int> sliding_nodes(TableReader& reader, const BagMesh& source) {
+  const bool in_box = reader.has("low") || reader.has("high"), by_number = reader.has("nodes");
+  if (in_box + by_number + reader.has("panels") != 1)
+    reader.fail("panels",
+                "or `nodes`, or a box, `low` and `high`: one of the three must select the sliding nodes");
+  if (by_number) return nodes_numbered(reader, "nodes", source);
+  return in_box ? nodes_in_box(reader, source.mesh) : nodes_of_panels(reader, "panels", source.mesh);
+}
+
+void read_rollers(TableReader& table, const BagMesh& source, membrane::BagDescription& bag) {
   for (auto& reader : table.tables("roller")) {
-    const bool in_box = reader.has("low") || reader.has("high");
-    if (in_box == reader.has("panels"))
-      reader.fail("panels", "or a box, `low` and `high`: one of the two must select the sliding nodes");
-    const auto nodes = in_box ? nodes_in_box(reader, mesh) : nodes_of_panels(reader, "panels", mesh);
+    const auto nodes = sliding_nodes(reader, source);
     if (nodes.empty()) reader.fail("panels", "is empty, needed: names of panels");
     const auto directions = reader.at("directions").texts("needed");
     if (directions.empty())
@@ -111,12 +141,21 @@ int anchor(TableReader& reader, const std::string& key, const std::optional<std:
   return node;
 }
 
+// One end of a strap by its number in the mesh file.
+int numbered_end(TableReader& reader, const std::string& key, const BagMesh& source) {
+  const double number = reader.at(key).number(Bounds{1.0, 1e9, false, "a whole number of 1 or more"});
+  return node_numbered(reader, key, number, source);
+}
+
 void read_straps(TableReader& table, const BagMesh& source, std::vector<membrane::Strap>& straps) {
   for (auto& reader : table.tables("strap")) {
     membrane::Strap strap;
     const bool points =
         reader.has("from") || reader.has("to") || reader.has("from_panel") || reader.has("to_panel");
-    if (points || straps.size() >= source.strap_anchors.size()) {
+    if (reader.has("from_node") || reader.has("to_node")) {
+      strap.node_a = numbered_end(reader, "from_node", source);
+      strap.node_b = numbered_end(reader, "to_node", source);
+    } else if (points || straps.size() >= source.strap_anchors.size()) {
       std::optional<std::string> from, to;
       if (reader.has("from_panel")) from = reader.at("from_panel").text();
       if (reader.has("to_panel")) to = reader.at("to_panel").text();
@@ -148,7 +187,10 @@ void read_plate(TableReader& table, membrane::BagDescription& bag) {
 
 void read_supports(TableReader& table, const BagMesh& source, membrane::BagDescription& bag) {
   bag.fixed_nodes = nodes_of_panels(table, "fixed_panels", source.mesh);
-  read_rollers(table, source.mesh, bag);
+  for (const int node : nodes_numbered(table, "fixed_nodes", source)) bag.fixed_nodes.push_back(node);
+  std::ranges::sort(bag.fixed_nodes);
+  bag.fixed_nodes.erase(std::unique(bag.fixed_nodes.begin(), bag.fixed_nodes.end()), bag.fixed_nodes.end());
+  read_rollers(table, source, bag);
   read_straps(table, source, bag.straps);
   read_plate(table, bag);
 }
