@@ -19,7 +19,7 @@ NAMES = "(gas|membrane|mesh|jet|coupling|closed_form|driver)"
 # CGAL's headers are slow to compile, and some of them are under the GPL.
 MAY_USE_CGAL = r"libjet/src/.*\.cpp|driver/results/src/(mesh_files/soup|crossing/exact)\.cpp|(verification|benchmarks)/.*"
 # The driver's layers from below; those of one line do not know each other.
-LAYERS = ["base"], ["engine"], ["forecast"], ["results"], ["export", "compare"], ["report"], ["many_runs"], ["commands"]
+LAYERS = ["base"], ["engine"], ["forecast"], ["results"], ["export"], ["import", "compare"], ["report"], ["many_runs"], ["commands"]
 HEIGHT = {layer: height for height, row in enumerate(LAYERS) for layer in row}
 
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/CLI.hpp>
 #include <span>
 
 #include "argument_list.hpp"
@@ -7,6 +6,7 @@
 #include "commands/command.hpp"
 #include "commands/program.hpp"
 #include "identify_options.hpp"
+#include "import_options.hpp"
 #include "manual.hpp"
 #include "mesh_options.hpp"
 #include "validators.hpp"
@@ -53,6 +53,7 @@ struct Arguments {
   ReportArguments report;
   StudyArguments study;
   ExportArguments export_deck;
+  ImportArguments import_deck;
   std::filesystem::path manual;  // folder
 };
 
@@ -223,6 +224,7 @@ int dispatch(const CLI::App& app, const Arguments& all, const MakeCrew& crew) {
   if (app.got_subcommand("study")) return dispatch_study(*app.get_subcommand("study"), all.study, crew);
   if (app.got_subcommand("exact")) return exact(all.exact);
   if (app.got_subcommand("export")) return export_deck(all.export_deck);
+  if (app.got_subcommand("import")) return import_deck(all.import_deck);
   write_manual(app, all.manual);
   return exit_done;
 }
@@ -251,6 +253,7 @@ int run_command_line(int argc, char** argv, const MakeCrew& crew) {
   add_study(app, all.study);
   add_compare(app, all.compare);
   add_export(app, all.export_deck);
+  add_import(app, all.import_deck);
   add_manual(app, all);
   refuse_unknown_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0));
   try {

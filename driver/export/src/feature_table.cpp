@@ -195,6 +195,7 @@ const std::vector<Feature>& features() {
       {"membrane.fixed_nodes", same, same},
       {"membrane.roller", same, same},
       {"membrane.roller.directions", same, same},
+      {"membrane.roller.nodes", same, same},
       {"membrane.null_panels",
        {Mapping::exact, "parts without stress that close the volume"},
        {Mapping::exact, "parts without stress that close the volume"}},

@@ -117,6 +117,14 @@ int mesh_of_case(const MeshArguments& arguments);
 int mesh_of_state(const MeshArguments& arguments);
 int mesh_fold(const MeshArguments& arguments);
 
+struct ImportArguments {
+  std::filesystem::path deck;
+  std::filesystem::path out;
+  std::optional<long> bag;           // number of the airbag, if the deck has several
+  std::optional<std::string> units;  // of a deck that does not state them
+};
+int import_deck(const ImportArguments& arguments);
+
 struct ExactArguments {
   std::string name;
   bool list = false;

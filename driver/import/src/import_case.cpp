@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "import/import_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/json_head.hpp"
+#include "import/bag_surface.hpp"
+#include "import/case_writer.hpp"
+
+namespace driver::imported {
+namespace {
+
+double extent_of(const mesh::Mesh& mesh) {
+  return (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).maxCoeff();
+}
+
+// A case's plate may not touch the bag at the start: it moves back by a hair, or is left out.
+void clear_wall(const mesh::Mesh& mesh, BagDeck& bag, ImportReport& report, const DeckCard& card) {
+  if (!bag.held.wall) return;
+  BagWall& wall = *bag.held.wall;
+  const double extent = extent_of(mesh);
+  const Eigen::VectorXd depth = -(wall.normal.transpose() * (mesh.nodes.colwise() - wall.point)).transpose();
+  constexpr double hair = 1e-6, most = 0.1;  // of the bag's extent
+  const double deepest = depth.maxCoeff();
+  if (deepest < 0.0) return;
+  if (-depth.minCoeff() < 0.0) {
+    report.note(
+        fmt::format("the bag starts wholly behind the rigid wall at {}, up to {:.3g} m: the wall is left out",
+                    wall.source, deepest));
+    bag.held.wall.reset();
+    return;
+  }
+  if (deepest > most * extent)
+    return report.refuse(
+        card, fmt::format("the bag starts {:.3g} m behind the rigid wall at {}", deepest, wall.source));
+  wall.point -= (deepest + hair * extent) * wall.normal;
+  report.note(
+      fmt::format("the plate is moved back by {:.3g} m, so that the bag does not touch it at the start",
+                  deepest + hair * extent));
+}
+
+// Layers that are thicker than elements are high cannot touch.
+void thin_layers(const mesh::Mesh& mesh, BagDeck& bag, ImportReport& report) {
+  if (bag.held.layer_thickness == 0.0) return;
+  const double altitude = mesh::element_quality(mesh.nodes, mesh.elements).min_altitude;
+  constexpr double below = 0.999;
+  if (bag.held.layer_thickness <= below * altitude) return;
+  report.note(
+      fmt::format("the thickness of layers that touch is {:.3g} m, not {:.3g}: at most the smallest altitude "
+                  "of an element",
+                  below * altitude, bag.held.layer_thickness));
+  bag.held.layer_thickness = below * altitude;
+}
+
+}  // namespace
+
+std::unique_ptr<ImportedCase> import_case(const std::filesystem::path& deck, const ImportOptions& options) {
+  if (options.units) import_units(*options.units);
+  auto result = std::make_unique<ImportedCase>(read_deck_text(deck));
+  ImportReport& report = result->report;
+  ImportedDeck mapped = result->text.program == DeckFormat::lsdyna
+                            ? map_lsdyna(result->text, options, report)
+                            : map_radioss(result->text, options, report);
+  const std::string stem = plain_name(deck.stem().string());
+  if (mapped.bag.name.empty()) mapped.bag.name = stem;
+  result->scene = mapped.bag.name;
+  if (mapped.card != nullptr && !report.refused()) {
+    if (const auto surface = surface_of(mapped.bag, *mapped.card, report)) {
+      clear_wall(surface->mesh, mapped.bag, report, *mapped.card);
+      thin_layers(surface->mesh, mapped.bag, report);
+      result->files =
+          write_case(mapped.bag, *surface, stem.empty() ? "case" : stem, deck.filename().string());
+    }
+  }
+  report.finish();
+  if (report.refused()) result->files.clear();
+  return result;
+}
+
+std::string import_json(const ImportedCase& result) {
+  auto object = json_head<nlohmann::ordered_json>();
+  object["scene"] = result.scene;
+  object["deck"] = result.text.program == DeckFormat::lsdyna ? "lsdyna" : "radioss";
+  object["written"] = !result.files.empty();
+  object["cards"] = nlohmann::ordered_json::array();
+  for (const CardOutcome& outcome : result.report.outcomes()) {
+    nlohmann::ordered_json places = nlohmann::ordered_json::array({result.text.where(outcome.at)});
+    for (const Place place : outcome.more) places.push_back(result.text.where(place));
+    object["cards"].push_back({{"card", outcome.card},
+                               {"places", places},
+                               {"keys", outcome.keys},
+                               {"mapping", outcome.refused ? "refused" : name_of(outcome.mapping)},
+                               {"how", outcome.how}});
+  }
+  object["notes"] = result.report.notes();
+  return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace driver::imported

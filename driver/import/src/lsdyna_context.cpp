@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lsdyna_context.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include "deck_reader.hpp"
+
+namespace driver::imported {
+namespace {
+
+DeckFields fields_of(const DeckText& text, const LsDynaEntry& entry, std::size_t line) {
+  return {
+      text, *entry.card, line_or_blank(*entry.card, entry.first + line), {10, 10, 10, 10, 10, 10, 10, 10}};
+}
+
+}  // namespace
+
+double LsDynaContext::real(const LsDynaEntry& entry, std::size_t line, std::size_t field,
+                           const char* name) const {
+  return fields_of(text, entry, line).real(field, name);
+}
+
+long LsDynaContext::whole(const LsDynaEntry& entry, std::size_t line, std::size_t field,
+                          const char* name) const {
+  return fields_of(text, entry, line).whole(field, name);
+}
+
+Knots LsDynaContext::curve(long id, double x_unit, double y_unit, const std::string& key, Place at) const {
+  const auto found = tables.curves.find(id);
+  if (found == tables.curves.end())
+    throw DeckFault(at, fmt::format("names the curve {}, which the deck does not have", id));
+  Knots knots;
+  for (const auto& [x, y] : found->second.knots) knots.push_back({x * x_unit, y * y_unit});
+  report.became(*found->second.card, {key}, Mapping::exact,
+                "knots in SI units, with SFA, SFO, OFFA and OFFO applied");
+  return knots;
+}
+
+Knots LsDynaContext::curve_of_pressure(long id, double y_unit, const std::string& key, Place at) const {
+  Knots knots = curve(id, units.pressure(), y_unit, key, at);
+  for (auto& knot : knots) knot[0] -= bag.ambient_pressure;
+  return knots;
+}
+
+std::string LsDynaContext::source(const DeckCard& card) const {
+  std::string title;
+  if (head_lines(card) > 0 && !card.lines.empty()) {
+    const std::string_view first = card.lines.front().text;
+    title = std::string(without_blanks(
+        card.keyword.ends_with("_ID") ? first.substr(std::min<std::size_t>(10, first.size())) : first));
+  }
+  std::string text_of = fmt::format("{} {}", text.where(card.at), card.keyword);
+  if (!title.empty()) text_of += ", " + title;
+  for (const std::string_view remark : card.comments) text_of += fmt::format("; {}", remark);
+  return text_of;
+}
+
+std::optional<LsDynaEntry> LsDynaContext::material_of(long part) const {
+  const auto found = tables.parts.find(part);
+  if (found == tables.parts.end()) return std::nullopt;
+  const auto material = tables.materials.find(found->second.material);
+  if (material == tables.materials.end()) return std::nullopt;
+  return material->second;
+}
+
+bool LsDynaContext::is_rigid(long part, bool& held) const {
+  const auto material = material_of(part);
+  if (!material || !(is_keyword(*material->card, "*MAT_RIGID") || is_keyword(*material->card, "*MAT_020")))
+    return false;
+  constexpr long all_translations = 7;
+  held = real(*material, 1, 0, "CMO") == 1.0 && whole(*material, 1, 1, "CON1") == all_translations;
+  return true;
+}
+
+double area_of(const LsDynaContext& context, long part) {
+  const auto panel = context.panels.find(part);
+  double area = 0.0;
+  for (const Facet& facet : context.bag.facets) {
+    if (panel == context.panels.end() || facet.panel != panel->second) continue;
+    for (std::size_t i = 1; i + 1 < facet.nodes.size(); ++i) {
+      const auto at = [&](std::size_t n) -> const Eigen::Vector3d& {
+        return context.bag.nodes.at(facet.nodes[n]);
+      };
+      area += 0.5 * (at(i) - at(0)).cross(at(i + 1) - at(0)).norm();
+    }
+  }
+  return area;
+}
+
+}  // namespace driver::imported

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surface and the fabric of a Radioss deck: LAW19, LAW58, LAW1 and void parts, with their properties.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deck_reader.hpp"
+#include "import/case_writer.hpp"
+#include "radioss_tables.hpp"
+#include "weave_direction.hpp"
+
+namespace driver::imported {
+
+void map_surface(RadiossContext& c) {
+  for (const auto& [id, place] : c.tables.nodes) c.bag.nodes[id] = place * c.units.length;
+  const DeckFields f = c.tens(c.volume, 1);
+  const long surface = f.whole(0, "surf_IDex");
+  std::vector<std::string> taken;
+  for (const long part : c.parts_of_surface(surface, f.at())) {
+    const auto found = c.tables.parts.find(part);
+    std::string name = found == c.tables.parts.end() ? "" : plain_name(found->second.title);
+    if (name.empty()) name = fmt::format("part_{}", part);
+    if (std::ranges::find(taken, name) != taken.end()) name += fmt::format("_{}", part);
+    taken.push_back(name);
+    c.panels[part] = name;
+  }
+  std::set<const DeckCard*> cards;
+  for (const RadiossShell& shell : c.tables.shells)
+    if (const auto panel = c.panels.find(shell.part); panel != c.panels.end()) {
+      c.bag.facets.push_back({shell.nodes, panel->second, shell.at});
+      cards.insert(shell.card);
+    }
+  auto segments = c.segments_of_surface(surface, f.at());
+  if (!segments.empty()) {
+    c.bag.null_panels.emplace_back("segments");
+    c.report.note(
+        fmt::format("{} segments close the control volume as the null panel segments", segments.size()));
+  }
+  for (Facet& facet : segments) c.bag.facets.push_back(std::move(facet));
+  for (const DeckCard* card : cards)
+    c.report.became(*card, {"membrane.mesh.file"}, Mapping::exact,
+                    "elements of the mesh; quads are cut in two");
+  for (const DeckCard& card : c.text.cards)
+    if (card.keyword == "/NODE")
+      c.report.became(card, {"membrane.mesh.file"}, Mapping::exact,
+                      "nodes of the mesh; those of other parts are left out");
+}
+
+namespace {
+
+/// Reads the fabric of one part after the other.
+class RadiossFabricReader {
+ public:
+  explicit RadiossFabricReader(RadiossContext& context) : c_(context), u_(context.units) {}
+  void read(long part, const std::string& panel);
+  void finish();
+
+ private:
+  void woven(const DeckCard& card, BagFabric& fabric);
+  void threads(const DeckCard& card, BagFabric& fabric);
+  void elastic(const DeckCard& card, BagFabric& fabric);
+  void property(const DeckCard& card, bool needs_warp, BagFabric& fabric);
+  void density(const DeckCard& card, BagFabric& fabric) {
+    fabric.density = c_.twenties(card, 1).real(0, "RHO_I") * u_.density();
+    if (!(fabric.density > 0.0)) throw DeckFault(card.at, "RHO_I is 0, allowed: above 0");
+  }
+
+  RadiossContext& c_;
+  const Units& u_;
+  std::vector<std::string> laws_;
+  bool total_strain_ = false;
+};
+
+bool is_isotropic_weave(const BagFabric& f) {
+  constexpr double digits = 1e-6;
+  const double shear = 0.5 * f.warp_modulus / (1.0 + f.poisson);
+  return std::abs(f.weft_modulus / f.warp_modulus - 1.0) < digits && std::abs(f.shear / shear - 1.0) < digits;
+}
+
+void RadiossFabricReader::woven(const DeckCard& card, BagFabric& fabric) {
+  density(card, fabric);
+  const DeckFields e = c_.twenties(card, 2);
+  fabric.warp_modulus = e.real(0, "E11") * u_.pressure();
+  fabric.weft_modulus = e.real(1, "E22") * u_.pressure();
+  fabric.poisson = e.real(2, "NU12");
+  fabric.shear = c_.twenties(card, 3).real(0, "G12") * u_.pressure();
+  if (!(fabric.warp_modulus > 0.0) || !(fabric.weft_modulus > 0.0))
+    throw DeckFault(card.at, "E11 and E22 are needed, above 0");
+  const double in_compression = c_.twenties(card, 4).real(0, "R_E");
+  constexpr double most_slack = 0.5;
+  c_.bag.carries_compression = in_compression == 0.0 || in_compression > most_slack;
+  if (!c_.bag.carries_compression)
+    c_.report.note(fmt::format("{}: R_E = {:g}: that share of the stress stays in compression; here none",
+                               c_.text.where(card.at), in_compression));
+  laws_.emplace_back(is_isotropic_weave(fabric) && !total_strain_ ? "hencky" : "saint_venant_kirchhoff");
+  c_.report.became(card, {"fabric.law", "fabric.young_modulus", "fabric.density", "fabric.compression"},
+                   Mapping::approximated,
+                   fmt::format("law \"{}\": agrees to first order of strain", laws_.back()));
+}
+
+// Functions of warp and weft, or moduli. The crimp is left out.
+void RadiossFabricReader::threads(const DeckCard& card, BagFabric& fabric) {
+  density(card, fabric);
+  const DeckFields e = c_.twenties(card, 2), g = c_.twenties(card, 3);
+  const DeckFields crimp(c_.text, card, line_or_blank(card, 5), {10, 10, 20, 20, 20, 20});
+  fabric.warp_modulus = e.real(0, "E1") * u_.pressure();
+  fabric.weft_modulus = e.real(2, "E2") * u_.pressure();
+  fabric.shear = g.real(0, "G0") * u_.pressure();
+  if (fabric.shear == 0.0) fabric.shear = g.real(3, "Gsh") * u_.pressure();
+  c_.bag.carries_compression = false;
+  constexpr double slight = 1e-3;
+  if (std::max(crimp.real(2, "S1"), crimp.real(3, "S2")) > slight)
+    c_.report.note(
+        fmt::format("{}: the crimp S1 = {:g}, S2 = {:g}, which couples warp and weft, has no counterpart",
+                    c_.text.where(card.at), crimp.real(2, "S1"), crimp.real(3, "S2")));
+  const auto function = [&](std::size_t i) {
+    return DeckFields(c_.text, card, line_or_blank(card, 6 + i), {10, 10, 20});
+  };
+  const long warp = function(0).whole(0, "fct_ID1"), weft = function(1).whole(0, "fct_ID2");
+  if (warp == 0) {
+    if (!(fabric.warp_modulus > 0.0)) throw DeckFault(card.at, "E1 or a function of the warp is needed");
+    if (fabric.weft_modulus == 0.0) fabric.weft_modulus = fabric.warp_modulus;
+    laws_.emplace_back("saint_venant_kirchhoff");
+    if (e.real(1, "B1") != 0.0 || e.real(3, "B2") != 0.0)
+      c_.report.note(fmt::format("{}: B1 and B2, which soften the threads, have no counterpart",
+                                 c_.text.where(card.at)));
+    return c_.report.became(card, {"fabric.law", "fabric.young_modulus", "fabric.density"},
+                            Mapping::approximated,
+                            "linear threads and shear: agrees to first order of strain");
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const long id = i == 1 && weft != 0 ? weft : warp;
+    Knots knots =
+        c_.curve(id, 1.0, u_.pressure(), i == 0 ? "fabric.warp_curve" : "fabric.weft_curve", card.at);
+    std::erase_if(knots, [](const auto& knot) { return knot[0] < 0.0; });
+    knots = as_stress_curve(knots, c_.report);
+    if (!c_.bag.threads[i].empty() && c_.bag.threads[i] != knots)
+      throw DeckFault(
+          card.at, "fabrics by different functions have no counterpart, allowed: one pair for the whole bag");
+    c_.bag.threads[i] = knots;
+  }
+  laws_.emplace_back("curve");
+  c_.report.became(card, {"fabric.law", "fabric.warp_curve", "fabric.weft_curve", "fabric.density"},
+                   Mapping::approximated,
+                   "threads exactly by their functions; the shear angle's own law to first order");
+}
+
+void RadiossFabricReader::elastic(const DeckCard& card, BagFabric& fabric) {
+  density(card, fabric);
+  const DeckFields e = c_.twenties(card, 2);
+  fabric.warp_modulus = fabric.weft_modulus = e.real(0, "E") * u_.pressure();
+  fabric.poisson = e.real(1, "NU");
+  if (!(fabric.warp_modulus > 0.0)) throw DeckFault(card.at, "E is needed, above 0");
+  fabric.shear = 0.5 * fabric.warp_modulus / (1.0 + fabric.poisson);
+  c_.bag.carries_compression = true;
+  laws_.emplace_back("saint_venant_kirchhoff");
+  c_.report.became(card, {"fabric.law", "fabric.young_modulus", "fabric.density", "fabric.compression"},
+                   Mapping::approximated,
+                   "a membrane of St. Venant-Kirchhoff's law that carries compression: no bending");
+}
+
+void RadiossFabricReader::property(const DeckCard& card, bool needs_warp, BagFabric& fabric) {
+  const auto words = words_of(card);
+  const std::string kind = words.size() > 1 ? words[1] : "";
+  const bool orthotropic = kind == "SH_ORTH" || kind == "TYPE9" || kind == "SH_FABR" || kind == "TYPE16";
+  if (!orthotropic && kind != "SHELL" && kind != "TYPE1")
+    throw DeckFault(
+        card.at, "this property of the bag is not mapped, allowed: /PROP/SHELL, SH_ORTH, SH_FABR and VOID");
+  const DeckFields f(c_.text, card, line_or_blank(card, 3), {10, 10, 20});
+  fabric.thickness = f.real(2, "Thick") * u_.length;
+  if (!(fabric.thickness > 0.0)) throw DeckFault(f.at(), "Thick is 0, allowed: above 0");
+  total_strain_ = c_.tens(card, 1).whole(1, "Ismstr") == 11;
+  c_.report.became(card, {"fabric.thickness"}, Mapping::exact,
+                   "thickness and direction of the warp; elements are triangles of constant strain");
+  if (!needs_warp) return;
+  if (!orthotropic)
+    throw DeckFault(card.at, "woven fabric needs a direction, allowed: /PROP/SH_ORTH and SH_FABR");
+  const DeckFields v = c_.twenties(card, 4);
+  fabric.warp = Eigen::Vector3d(v.real(0, "Vx"), v.real(1, "Vy"), v.real(2, "Vz"));
+  if (!(fabric.warp->norm() > 0.0))
+    throw DeckFault(v.at(), "Vx, Vy and Vz, the direction of the warp, are 0");
+  const bool layers = kind == "SH_FABR" || kind == "TYPE16";
+  const double angle = layers ? c_.twenties(card, 5).real(0, "Phi") : v.real(3, "Phi");
+  if (angle != 0.0)
+    throw DeckFault(
+        v.at(),
+        fmt::format("Phi = {:g}: an angle to the vector has no counterpart, allowed: 0; turn the vector",
+                    angle));
+}
+
+void RadiossFabricReader::read(long part, const std::string& panel) {
+  const auto own = c_.tables.parts.find(part);
+  if (own == c_.tables.parts.end())
+    return c_.report.refuse(c_.volume, fmt::format("part {} of the surface has no card /PART", part));
+  c_.report.became(*own->second.card, {"membrane.mesh.file"}, Mapping::exact, "panels of the mesh");
+  const auto property_of = c_.tables.properties.find(own->second.property);
+  const auto material = c_.tables.materials.find(own->second.material);
+  const auto is = [&](const DeckCard& card, std::initializer_list<const char*> words) {
+    return std::ranges::any_of(words, [&](const char* word) { return card.keyword.starts_with(word); });
+  };
+  const bool is_void =
+      (property_of != c_.tables.properties.end() &&
+       is(*property_of->second, {"/PROP/VOID", "/PROP/TYPE0/"})) ||
+      (material != c_.tables.materials.end() && is(*material->second, {"/MAT/VOID", "/MAT/LAW0/"}));
+  try {
+    if (is_void) {
+      c_.bag.null_panels.push_back(panel);
+      c_.bag.fabrics.erase(panel);
+      if (property_of != c_.tables.properties.end())
+        c_.report.became(*property_of->second, {"membrane.null_panels"}, Mapping::exact,
+                         "bounds the volume without stress");
+      if (material != c_.tables.materials.end())
+        c_.report.became(*material->second, {"membrane.null_panels"}, Mapping::exact,
+                         "bounds the volume without stress");
+      return;
+    }
+    if (material == c_.tables.materials.end() || property_of == c_.tables.properties.end())
+      throw DeckFault(own->second.card->at,
+                      fmt::format("part {} has no material or no property in this deck", part));
+    const DeckCard& law = *material->second;
+    BagFabric fabric = c_.bag.fabrics[panel];
+    fabric.source = c_.source(law);
+    property(*property_of->second, false, fabric);
+    if (is(law, {"/MAT/FABRI/", "/MAT/LAW19/"}))
+      woven(law, fabric);
+    else if (is(law, {"/MAT/FABR_A/", "/MAT/LAW58/"}))
+      threads(law, fabric);
+    else if (is(law, {"/MAT/ELAST/", "/MAT/LAW1/"}))
+      elastic(law, fabric);
+    else
+      throw DeckFault(law.at, "this material of the bag is not mapped, allowed: LAW1, LAW19, LAW58 and VOID");
+    const bool woven = laws_.back() == "curve" || !is_isotropic_weave(fabric);
+    if (woven) property(*property_of->second, true, fabric);
+    c_.bag.fabrics[panel] = fabric;
+  } catch (const DeckFault& fault) {
+    c_.report.refuse("/PART/" + std::to_string(part), fault.at(), fault.what());
+  }
+}
+
+void RadiossFabricReader::finish() {
+  if (laws_.empty()) {
+    if (!c_.report.refused()) c_.report.refuse(c_.volume, "no part of the surface is of fabric");
+    return;
+  }
+  const auto curves = std::ranges::count(laws_, "curve");
+  if (curves > 0 && curves < static_cast<std::ptrdiff_t>(laws_.size()))
+    return c_.report.refuse(c_.volume,
+                            "parts with and without functions of threads have no counterpart, allowed: one "
+                            "law for the whole bag");
+  const bool all_hencky = std::ranges::all_of(laws_, [](const auto& law) { return law == "hencky"; });
+  c_.bag.law = curves > 0                                  ? "curve"
+               : all_hencky && !c_.bag.carries_compression ? "hencky"
+                                                           : "saint_venant_kirchhoff";
+}
+
+}  // namespace
+
+void map_fabric(RadiossContext& context) {
+  RadiossFabricReader reader(context);
+  for (const auto& [part, panel] : context.panels) reader.read(part, panel);
+  reader.finish();
+}
+
+}  // namespace driver::imported

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a Radioss starter deck defines, by its numbers, in the deck's units.
+#pragma once
+
+#include <set>
+
+#include "export/units.hpp"
+#include "import/bag_deck.hpp"
+#include "import/deck_fields.hpp"
+#include "import/import_report.hpp"
+
+namespace driver::imported {
+
+struct RadiossPart {
+  std::string title;
+  long property = 0, material = 0, subset = 0;
+  const DeckCard* card = nullptr;
+};
+
+struct RadiossShell {
+  long part = 0;
+  std::vector<long> nodes;
+  const DeckCard* card = nullptr;
+  Place at;
+};
+
+struct RadiossSpring {
+  long part = 0, from = 0, to = 0;
+  const DeckCard* card = nullptr;
+  Place at;
+};
+
+struct RadiossCurve {
+  Knots knots;
+  const DeckCard* card = nullptr;
+};
+
+/// Words of a keyword between slashes: /MAT/GAS/MASS/4 has four.
+std::vector<std::string> words_of(const DeckCard& card);
+/// The number at the end of a keyword; 0 if it has none.
+long number_of(const DeckCard& card);
+
+struct RadiossTables {
+  std::map<long, Eigen::Vector3d> nodes;
+  std::vector<RadiossShell> shells;
+  std::vector<RadiossSpring> springs;
+  std::map<long, RadiossPart> parts;
+  std::map<long, const DeckCard*> materials, properties, leaks, surfaces, groups, sensors, subsets;
+  std::map<long, RadiossCurve> curves;
+};
+
+/// Reads the deck's tables. A card that cannot be read is refused in the report.
+RadiossTables radioss_tables(const DeckText& text, ImportReport& report);
+
+struct RadiossContext {
+  const DeckText& text;
+  const RadiossTables& tables;
+  ImportReport& report;
+  const Units& units;
+  BagDeck& bag;
+  const DeckCard& volume;                // the monitored volume
+  std::map<long, std::string> panels{};  // parts of the surface, by their numbers
+
+  DeckFields tens(const DeckCard& card, std::size_t line) const;      // ten fields of ten columns
+  DeckFields twenties(const DeckCard& card, std::size_t line) const;  // five fields of twenty columns
+  Knots curve(long id, double x_unit, double y_unit, const std::string& key, Place at) const;
+  std::string source(const DeckCard& card) const;
+  /// Members of sets, those of sets of sets included. Throw DeckFault for a kind that is not read.
+  std::set<long> parts_of_surface(long surface, Place at) const;
+  std::vector<Facet> segments_of_surface(long surface, Place at) const;
+  std::set<long> nodes_of_group(long group, Place at) const;
+  double area_of(long part) const;  // [m2] at the start
+};
+
+void map_surface(RadiossContext& context);
+void map_gas(RadiossContext& context);
+void map_openings(RadiossContext& context, std::size_t first_line);
+void map_fabric(RadiossContext& context);
+void map_surroundings(RadiossContext& context);
+
+}  // namespace driver::imported

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Decks of other programs as cases."""
+import json
+import random
+import re
+from pathlib import Path
+
+import pytest
+from command import ROOT, expect, gasjet, numbers, ok, read
+from small_decks import FACES, engine, lsdyna, radioss, row
+
+DECKS = {"radioss": "bag_0000.rad", "lsdyna": "bag.k"}
+
+
+def write(text, name="cube.k"):
+    Path(name).write_text(text, encoding="utf-8")
+    if name.endswith("_0000.rad"):
+        Path(name.replace("_0000", "_0001")).write_text(engine(), encoding="utf-8")
+    return name
+
+
+def taken(text, name="cube.k", words="", out="case"):
+    """The case of a deck as text, after a check that it runs."""
+    ok(f"import {write(text, name)} --out {out} {words}")
+    case = next(Path(out).glob("*.toml"))
+    ok(f"check {case}")
+    return re.sub(r"(?m) *#.*$", "", read(case))
+
+
+def refused_deck(pattern, text, name="cube.k", words=""):
+    """No case, but a report that names the card."""
+    expect(2, pattern, f"import {write(text, name)} --out refused {words}")
+    assert not list(Path("refused").glob("*.toml"))
+    assert "## refused" in read("refused/import.md") and not json.loads(read("refused/import.json"))["written"]
+
+
+def value(case, key):
+    return float(re.search(rf"(?m)^{key} = ([-0-9.e+]+)", case)[1])
+
+
+def test_import_numbers():
+    """Numbers of a deck in kg, mm and ms in SI units, from both programs."""
+    cases = taken(lsdyna()), taken(radioss(), "cube_0000.rad", out="other")
+    for case in cases:
+        near = {"end_time": 0.02, "young_modulus": 6e7, "poisson_ratio": 0.3, "density": 800, "thickness": 5e-4, "area": 2e-4, "cp": 1000,
+                "molar_mass": 8.31446261815324 / 300, "history_every": 1e-4, "pressure": 101325}
+        for key, wanted in near.items():
+            assert value(case, key) == pytest.approx(wanted, rel=1e-5 if key == "temperature" else 1e-12), key
+        assert "mass_flow = { time = [0.0, 0.01, 0.02], value = [0.0, 1.0, 0.0] }" in case
+        assert float(re.search("temperature = ([0-9.]+) }", case)[1]) == pytest.approx(300, rel=1e-5)
+    assert 'law = "saint_venant_kirchhoff"' in cases[0] and 'law = "hencky"' in cases[1]
+    assert "v 0.1 0.1 0.1" in read("case/bag.obj") and "g fabric_of_the_cube" in read("case/bag.obj")
+
+
+def test_import_spellings():
+    """Commas, long fields, parameters and includes say the same as columns."""
+    wanted = taken(lsdyna())
+    control = "*CONTROL_TERMINATION\n" + row(20.0)
+    assert taken(lsdyna().replace(control, "*CONTROL_TERMINATION\n20.0,0\n")) == wanted
+    assert taken(lsdyna().replace(control, "*CONTROL_TERMINATION+\n" + row(20.0, width=20))) == wanted
+    named = "*PARAMETER\n" + row("R end", 20.0) + "*CONTROL_TERMINATION\n" + row("&end")
+    assert taken(lsdyna().replace(control, named)) == wanted
+    formula = "*PARAMETER\n" + row("R half", 10.0) + "*PARAMETER_EXPRESSION\n" + f"{'R end':<10}2*(half+0)**1\n" + "*CONTROL_TERMINATION\n" + row("&end")
+    assert taken(lsdyna().replace(control, formula)) == wanted
+    write("*KEYWORD\n" + control + "*END\n", "end.inc")
+    assert taken(lsdyna().replace(control, "*INCLUDE\nend.inc\n")) == wanted
+    assert taken(lsdyna().replace("  0.06", "6.0D-2").replace("\n", "\r\n")) == wanted
+
+
+def test_import_refusals():
+    refused_deck("does not state its units", lsdyna(units=False))
+    assert "end_time = 20.0" in taken(lsdyna(units=False), words="--units kg-m-s")
+    expect(2, "units 'kg-mm' are not known", f"import {write(lsdyna())} --out x --units kg-mm")
+    airbag = re.search(r"(?s)\*AIRBAG.*\*END", lsdyna())[0][:-4]
+    refused_deck("has 2 airbags; choose one by --bag", lsdyna(more=airbag))
+    taken(lsdyna(more=airbag), words="--bag 1")
+    refused_deck("this kind of airbag is not mapped", lsdyna(airbag="*AIRBAG_PARTICLE\n" + row(3, 1)))
+    refused_deck("is no set of parts", lsdyna(airbag=airbag.replace(row(3, 1), row(4, 1))))
+    refused_deck("allowed: CP above CV", lsdyna(airbag=airbag.replace("     700.0", "    1700.0")))
+    refused_deck("LOU = 3 has no counterpart", lsdyna(airbag=airbag.replace(row(0), row(3))))
+    refused_deck("allowed: a number", lsdyna(airbag=airbag.replace("500.0", "5oo.0")))
+    refused_deck("names the curve 1, which", lsdyna().replace(row(1, 0, 1.0, 0.5), row(2, 0, 1.0, 0.5)))
+    refused_deck("has node 8, which the deck does not have", lsdyna().replace(f"{8:>8}{100:>16}", f"{9:>8}{100:>16}"))
+    refused_deck("this material of the bag is not mapped", lsdyna(material="*MAT_FOAM\n" + row(7, 1e-6)))
+    refused_deck("the file lost.inc is not there", lsdyna(more="*INCLUDE\nlost.inc\n"))
+    refused_deck("not in the folder of the deck", lsdyna(more="*INCLUDE\n../lost.inc\n"))
+    refused_deck("moves the deck's nodes", lsdyna(more="*INCLUDE_TRANSFORM\nlost.inc\n"))
+    refused_deck("exchange gas", lsdyna(more="*AIRBAG_INTERACTION\n" + row(1, 2)))
+    refused_deck("move as prescribed", lsdyna(more="*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + row(1, 1, 2, 1)))
+    tether = "*ELEMENT_SHELL\n" + row(9, 8, 1, 2, 8, 7, width=8) + "*PART\ntether\n" + row(8, 7, 7)
+    refused_deck("tethers", lsdyna(more=tether))
+    rigid = "*ELEMENT_SHELL\n" + row(9, 8, 1, 2, 4, 3, width=8) + "*PART\nplate\n" + row(8, 7, 8) + "*MAT_RIGID\n" + row(8, 1e-6, 1.0, 0.3) + "{}" + row(0)
+    refused_deck("can move, which has no counterpart", lsdyna(more=rigid.format(row(0.0, 0, 0))))
+    assert "fixed_nodes = [1, 2, 3, 4]" in taken(lsdyna(more=rigid.format(row(1.0, 7, 7))))
+    refused_deck("the end of the run is in the engine file", radioss(), "lost.rad")
+    refused_deck("has 2 monitored volumes", radioss("/MONVOL/GAS/2\nother\n"), "cube_0000.rad")
+    refused_deck("this kind of monitored volume is not mapped", radioss().replace("AIRBAG1", "FVMBAG1"), "cube_0000.rad")
+    refused_deck("allowed: /SENSOR/TIME", radioss("/SENSOR/ACCE/9\nfire\n").replace(row(5, 0, 0, 0, 0, 0), row(5, 9, 0, 0, 0, 0)), "cube_0000.rad")
+
+
+def test_import_surfaces():
+    """Holes, segments that close them, and nodes on edges of larger elements."""
+    top = FACES[1]
+    open_cube = [face for face in FACES if face != top]
+    case = taken(lsdyna(faces=open_cube))
+    assert 'null_panels = ["cap_1"]' in case and "0.2 of the fabric's area" in read("case/import.md")
+    refused_deck("the control volume is open", lsdyna(faces=open_cube[1:]))
+    set_of_segments = "*SET_SEGMENT\n" + row(3) + "".join(row(*face) for face in FACES)
+    airbag = "*AIRBAG_SIMPLE_AIRBAG_MODEL\n" + row(3, 0) + row(700.0, 1000.0, 500.0, 1, 0.5, 400.0, "1.01325e-4", "1.12583e-9") + row(0)
+    case = taken(lsdyna(faces=open_cube, segments=set_of_segments, airbag=airbag))
+    assert 'null_panels = ["segments"]' in case and "1 segments of the control volume have no shell" in read("case/import.md")
+    # The bottom as two halves, whose common edge ends on edges of the sides.
+    middle = "*NODE\n" + row(9, width=8)[:-1] + row(50, 0, 0, width=16) + row(10, width=8)[:-1] + row(50, 100, 0, width=16)
+    halves = [face for face in FACES if face != FACES[0]] + [(1, 3, 10, 9), (9, 10, 4, 2)]
+    taken(lsdyna(faces=halves, more=middle))
+    assert "2 nodes lie on edges of larger elements" in read("case/import.md")
+    assert "null_panels" not in read("case/cube.toml")
+    refused_deck("separate surfaces", lsdyna(faces=FACES + [tuple(node + 10 for node in face) for face in FACES],
+                 more="*NODE\n" + "".join(row(i + 10, width=8)[:-1] + row(*x, width=16) for i, x in enumerate([(900 + x, y, z) for z in (0, 9) for y in (0, 9) for x in (0, 9)], 1))))
+
+
+def test_import_names_every_card():
+    """Cards that nothing maps are listed, also of keywords that do not exist."""
+    more = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n" + row(1, 2) + "*NO_SUCH_CARD\n" + row(1) + "*DATABASE_GLSTAT\n" + row(1)
+    taken(lsdyna(more=more))
+    deck = read("cube.k")
+    for keyword in set(re.findall(r"(?m)^\*[A-Z_]+", deck)) - {"*END"}:
+        assert f"`{keyword}`" in read("case/import.md"), keyword
+
+
+@pytest.mark.parametrize("form,name", [("radioss", "flattened_sphere"), ("radioss", "driver_bag"), ("lsdyna", "sphere_inflation"),
+                                       ("lsdyna", "bag_leak_table"), ("lsdyna", "driver_bag")])
+def test_import_of_export(form, name):
+    """A scene that both commands keep has the same history again, but for the digits of the deck's fields."""
+    times = "--set output.history_exact=true --set output.history_every=1e-3 --set output.frames=0 --set scene.end_time=0.02"
+    case = ROOT / f"cases/{name}.toml"
+    ok(f"export {case} --format {form} --units kg-m-s --out deck")
+    ok(f"import deck/{DECKS[form]} --out again")
+    ok(f"run {case} --out first {times}")
+    ok(f"run {next(Path('again').glob('*.toml'))} --out second {times}")
+    first, second = numbers("first/history.csv"), numbers("second/history.csv")
+    for column in ("pressure_Pa", "temperature_K", "volume_m3", "gas_mass_kg"):
+        largest = max(abs(x) for x in first[column])
+        for a, b in zip(first[column], second[column], strict=True):
+            assert abs(a - b) <= 1e-6 * largest, column
+
+
+def test_import_of_damaged_decks():
+    """No crash and no silence: exit code 0 or 2, and a report either way."""
+    chance = random.Random(1)
+    for name, text in ("cube.k", lsdyna()), ("cube_0000.rad", radioss()):
+        for _ in range(150):
+            damaged = bytearray(text.encode())
+            for _ in range(chance.randint(1, 6)):
+                at = chance.randrange(len(damaged))
+                kind = chance.randrange(4)
+                if kind == 0:
+                    damaged[at] = chance.choice(b"0123456789.-+*/&$#, \n\xff\0eE")
+                elif kind == 1:
+                    del damaged[at:at + chance.randint(1, 200)]
+                elif kind == 2:
+                    damaged[at:at] = bytes(damaged[at - 80:at])
+                else:
+                    damaged[at:at] = chance.choice([b"\n*INCLUDE\ncube.k\n", b"\n/END\n", b"1e999", b"-", b"\n"])
+            Path(name).write_bytes(damaged)
+            write("", "cube_0001.rad") if chance.random() < 0.1 else Path("cube_0001.rad").write_text(engine(), encoding="utf-8")
+            done = gasjet(f"import {name} --out damaged")
+            assert done.code in (0, 2), done.what
+            assert Path("damaged/import.md").exists() or done.code == 2
+            assert bool(list(Path("damaged").glob("*.toml"))) == (done.code == 0), done.what
