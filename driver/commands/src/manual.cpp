@@ -9,6 +9,7 @@
 #include "argument_list.hpp"
 #include "base/build_info.hpp"
 #include "results/results.hpp"
+#include "validators.hpp"
 
 namespace driver::commands {
 namespace {
@@ -165,6 +166,11 @@ complete -o default -F _gasjet gasjet
 }
 
 }  // namespace
+
+void add_manual(CLI::App& app, fs::path& folder) {
+  auto* manual = app.add_subcommand("manual", "write man pages and bash completion");
+  manual->add_option("--out", folder, "folder, such as /usr/share")->required()->check(named);
+}
 
 void write_manual(const CLI::App& app, const fs::path& folder) {
   write_pages(app, folder / "man" / "man1");

@@ -9,6 +9,8 @@ class App;
 
 namespace driver::commands {
 
+/// Adds the command; its option is read into `folder`.
+void add_manual(CLI::App& app, std::filesystem::path& folder);
 /// Writes the man pages of `app` and of each of its commands to `folder`/man/man1, and its bash completion to
 /// `folder`/bash-completion/completions: all from the program's own commands and options. Throws OutputError
 /// for a folder or file that cannot be written.

@@ -206,11 +206,6 @@ void refuse_unknown_command(const CLI::App& app, std::span<char*> words) {
                   ", allowed: " + allowed + " (see --help)");
 }
 
-void add_manual(CLI::App& app, Arguments& all) {
-  auto* manual = app.add_subcommand("manual", "write man pages and bash completion");
-  manual->add_option("--out", all.manual, "folder, such as /usr/share")->required()->check(named);
-}
-
 int dispatch(const CLI::App& app, const Arguments& all, const MakeCrew& crew) {
   if (app.got_subcommand("run")) return run(all.run);
   if (app.got_subcommand("check")) return check(all.check, all.check_format);
@@ -254,7 +249,7 @@ int run_command_line(int argc, char** argv, const MakeCrew& crew) {
   add_compare(app, all.compare);
   add_export(app, all.export_deck);
   add_import(app, all.import_deck);
-  add_manual(app, all);
+  add_manual(app, all.manual);
   refuse_unknown_command(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0));
   try {
     app.parse(words(argc, argv));

@@ -42,6 +42,9 @@ void map_fabric(LsDynaContext& context, long leak_option);
 /// Gas, inflators and vents. Returns the leak option.
 long map_gas(LsDynaContext& context);
 
+/// A jet for each inflator, from the card of the cone.
+void map_jet(LsDynaContext& context, const LsDynaEntry& card);
+
 /// Area of a part of the control volume at the start [m2].
 double area_of(const LsDynaContext& context, long part);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gas/species.hpp"
 #include "lsdyna_context.hpp"
@@ -48,7 +47,6 @@ class LsDynaGas {
   void gas_of_moles(std::size_t line, std::size_t first_field);
   Knots flow(long curve, std::size_t line);
   void vent(std::size_t line, std::size_t first, const char* name, double opens_at_overpressure);
-  void jetting(std::size_t line);
 
   LsDynaContext& c_;
   const Units& u_;
@@ -262,30 +260,7 @@ void LsDynaGas::hybrid() {
   vent(2, 0, "C23, A23", opens);
   if (whole(3, 0, "OPT") == 0) vent(2, 4, "CP23, AP23", 0.0);
   if (c_.airbag.keyword.find("JETTING") != std::string::npos)
-    jetting(4 + 2 * static_cast<std::size_t>(count));
-}
-
-// The outlet's size is not in the deck: that through which the largest flow is sonic at ambient pressure.
-void LsDynaGas::jetting(std::size_t line) {
-  const Eigen::Vector3d focus(real(line, 0, "XJFP"), real(line, 1, "YJFP"), real(line, 2, "ZJFP"));
-  const Eigen::Vector3d head(real(line, 3, "XJVH"), real(line, 4, "YJVH"), real(line, 5, "ZJVH"));
-  if (!((head - focus).norm() > 0.0)) throw DeckFault(at(line), "the jet's focus and head are at one place");
-  for (BagInflator& inflator : bag_.inflators) {
-    double largest = 0.0, hottest = 0.0;
-    for (const auto& knot : inflator.mass_flow) largest = std::max(largest, knot[1]);
-    for (const auto& knot : inflator.temperature) hottest = std::max(hottest, knot[1]);
-    if (!(largest > 0.0)) continue;
-    const BagGas& gas = bag_.gases[inflator.gas.shares.front().first];
-    const double constant = gas::kMolarGasConstant / gas.molar_mass;
-    const double sound = std::sqrt(gas.cp[0] / (gas.cp[0] - constant) * constant * hottest);
-    const double area = largest * constant * hottest / (bag_.ambient_pressure * sound);
-    inflator.jet = {focus * u_.length, (head - focus).normalized(), std::sqrt(area / std::numbers::pi),
-                    real(line, 6, "CA")};
-    c_.report.note(fmt::format(
-        "jet: the deck has a cone of half angle CA = {:.3g} rad and an efficiency BETA = {:.3g}; here "
-        "a round jet of radius {:.3g} m, sonic at its largest flow, spreads by its momentum",
-        real(line, 6, "CA"), real(line, 7, "BETA"), inflator.jet->radius));
-  }
+    map_jet(c_, {entry_.card, entry_.first + 4 + 2 * static_cast<std::size_t>(count)});
 }
 
 long LsDynaGas::read() {
