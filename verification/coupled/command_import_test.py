@@ -86,6 +86,8 @@ def test_import_refusals():
     refused_deck("not in the folder of the deck", lsdyna(more="*INCLUDE\n../lost.inc\n"))
     refused_deck("moves the deck's nodes", lsdyna(more="*INCLUDE_TRANSFORM\nlost.inc\n"))
     refused_deck("exchange gas", lsdyna(more="*AIRBAG_INTERACTION\n" + row(1, 2)))
+    refused_deck("ties of nodes to other parts", lsdyna(more="*CONTACT_TIED_NODES_TO_SURFACE\n" + row(1, 2)))
+    refused_deck("names the node set 8", lsdyna(more="*RIGIDWALL_PLANAR\n" + row(8, 0, 0) + row(0, 0, -1, 0, 0, 1)))
     refused_deck("move as prescribed", lsdyna(more="*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + row(1, 1, 2, 1)))
     tether = "*ELEMENT_SHELL\n" + row(9, 8, 1, 2, 8, 7, width=8) + "*PART\ntether\n" + row(8, 7, 7)
     refused_deck("tethers", lsdyna(more=tether))
@@ -122,7 +124,9 @@ def test_import_surfaces():
 def test_import_names_every_card():
     """Cards that nothing maps are listed, also of keywords that do not exist."""
     more = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n" + row(1, 2) + "*NO_SUCH_CARD\n" + row(1) + "*DATABASE_GLSTAT\n" + row(1)
+    more += "*SET_SEGMENT_GENERAL\n" + row(9) + "ALL\n*DEFINE_CURVE\n" + row(9) + row("x", 1, width=20)
     taken(lsdyna(more=more))
+    assert "is not read" in read("case/import.md")
     deck = read("cube.k")
     for keyword in set(re.findall(r"(?m)^\*[A-Z_]+", deck)) - {"*END"}:
         assert f"`{keyword}`" in read("case/import.md"), keyword

@@ -79,6 +79,8 @@ void LsDynaSurroundings::gravity_of_parts(const DeckCard& card) {
   const long set = f.whole(0, "PSID"), direction = f.whole(1, "DOF");
   const bool of_set = card.keyword.find("_SET") != std::string::npos;
   const auto found = c_.tables.part_sets.find(set);
+  if (of_set && found == c_.tables.part_sets.end())
+    throw DeckFault(f.at(), fmt::format("names the part set {}, which the deck does not have", set));
   const bool pulls = of_set ? found != c_.tables.part_sets.end() &&
                                   std::ranges::any_of(found->second.members,
                                                       [&](long part) { return c_.panels.contains(part); })
@@ -94,6 +96,8 @@ void LsDynaSurroundings::wall(const DeckCard& card) {
   const DeckFields who = fields(card, head), where = fields(card, head + 1);
   if (const long set = who.whole(0, "NSID"); set != 0) {
     const auto found = c_.tables.node_sets.find(set);
+    if (found == c_.tables.node_sets.end())
+      throw DeckFault(who.at(), fmt::format("names the node set {}, which the deck does not have", set));
     const bool touches = found != c_.tables.node_sets.end() &&
                          std::ranges::any_of(found->second.members, [&](long node) { return of_bag(node); });
     if (!touches) return;

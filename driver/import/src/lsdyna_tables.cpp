@@ -204,6 +204,20 @@ void LsDynaTableReader::read(const DeckCard& card) {
   if (begins("*SET_SEGMENT")) return segments(card);
 }
 
+// A set or a curve that cannot be read is as if it were not there: what of the bag needs it is refused then.
+// Anything else may be a part of the bag, unseen.
+void lose(const DeckCard& card, const DeckFault& fault, LsDynaTables& tables, ImportReport& report) {
+  const bool by_number = card.keyword.starts_with("*SET_") || card.keyword.starts_with("*DEFINE_");
+  if (!by_number) {
+    report.refuse(card.keyword, fault.at(), fault.what());
+    report.told_elsewhere(card);
+    return;
+  }
+  report.left_out(card, Mapping::none, std::string("is not read: ") + fault.what());
+  for (auto* sets : {&tables.part_sets, &tables.node_sets, &tables.shell_sets, &tables.segment_sets})
+    std::erase_if(*sets, [&](const auto& set) { return set.second.card == &card; });
+}
+
 }  // namespace
 
 LsDynaTables lsdyna_tables(const DeckText& text, ImportReport& report) {
@@ -213,8 +227,7 @@ LsDynaTables lsdyna_tables(const DeckText& text, ImportReport& report) {
     try {
       reader.read(card);
     } catch (const DeckFault& fault) {
-      report.refuse(card.keyword, fault.at(), fault.what());
-      report.told_elsewhere(card);
+      lose(card, fault, tables, report);
     }
   }
   return tables;

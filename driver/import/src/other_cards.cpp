@@ -17,6 +17,12 @@ constexpr OtherCard text_card{Mapping::left_out, "no numbers of the bag"};
 constexpr OtherCard others_card{Mapping::left_out, "not of the bag: other parts are not mapped"};
 constexpr OtherCard contact_card{Mapping::none,
                                  "contact with other parts is not mapped: the bag does not touch them"};
+constexpr OtherCard layers_card{Mapping::none,
+                                "the bag may touch itself or other parts by this contact, which is not "
+                                "mapped: layers pass through each other; set "
+                                "[membrane.self_contact] by hand"};
+constexpr OtherCard tied_card{Mapping::none,
+                              "ties of nodes to other parts are not mapped; allowed: common nodes", true};
 constexpr OtherCard occupant_card{Mapping::none, "occupants are not mapped"};
 constexpr OtherCard set_card{Mapping::left_out, "a set that nothing of the bag uses"};
 constexpr OtherCard unused_card{Mapping::left_out, "nothing of the bag uses it"};
@@ -48,6 +54,10 @@ constexpr std::array lsdyna_kinds{
     Kind{"*INTERFACE", output_card},
     Kind{"*SENSOR", {Mapping::none, "sensors are not mapped: what they switch acts from the start"}},
     Kind{"*AIRBAG_INTERACTION", {Mapping::none, "chambers that exchange gas are not mapped", true}},
+    Kind{"*CONTACT_TIED", tied_card},
+    Kind{"*CONTACT_AUTOMATIC_SINGLE_SURFACE", layers_card},
+    Kind{"*CONTACT_SINGLE_SURFACE", layers_card},
+    Kind{"*CONTACT_AUTOMATIC_GENERAL", layers_card},
     Kind{"*CONTACT", contact_card},
     Kind{"*SET_", set_card},
     Kind{"*DEFINE", unused_card},
@@ -87,6 +97,9 @@ constexpr std::array radioss_kinds{
     Kind{"/MEMORY", solver_card},
     Kind{"/RANDOM", {Mapping::left_out, "random noise on the nodes"}},
     Kind{"/ADMESH", {Mapping::none, "adaptivity is not mapped: the mesh stays as it is"}},
+    Kind{"/INTER/TYPE2/", tied_card},
+    Kind{"/INTER/TYPE7/", layers_card},
+    Kind{"/INTER/TYPE11/", layers_card},
     Kind{"/INTER", contact_card},
     Kind{"/GRNOD", set_card},
     Kind{"/GRSHEL", set_card},

@@ -134,6 +134,11 @@ RadiossTables radioss_tables(const DeckText& text, ImportReport& report) {
     try {
       reader.read(card);
     } catch (const DeckFault& fault) {
+      if (card.keyword.starts_with(
+              "/FUNCT")) {  // as if it were not there: what of the bag needs it is refused then
+        report.left_out(card, Mapping::none, std::string("is not read: ") + fault.what());
+        continue;
+      }
       report.refuse(card.keyword, fault.at(), fault.what());
       report.told_elsewhere(card);
     }
