@@ -74,6 +74,7 @@ def test_import_refusals():
     airbag = re.search(r"(?s)\*AIRBAG.*\*END", lsdyna())[0][:-4]
     refused_deck("has 2 airbags; choose one by --bag", lsdyna(more=airbag))
     taken(lsdyna(more=airbag), words="--bag 1")
+    refused_deck("ID is 'x'", lsdyna(airbag="*AIRBAG_SIMPLE_AIRBAG_MODEL_ID\n" + row("x") + airbag.split("\n", 1)[1]))
     refused_deck("this kind of airbag is not mapped", lsdyna(airbag="*AIRBAG_PARTICLE\n" + row(3, 1)))
     refused_deck("is no set of parts", lsdyna(airbag=airbag.replace(row(3, 1), row(4, 1))))
     refused_deck("allowed: CP above CV", lsdyna(airbag=airbag.replace("     700.0", "    1700.0")))

@@ -95,7 +95,8 @@ void fabric_block(const BagDeck& bag, CaseText& out) {
   }
   fabric_lines(base, bag, out);
   std::vector<std::pair<const BagFabric*, std::vector<const std::string*>>> others;
-  for (const auto& [panel, fabric] : bag.fabrics) {
+  for (const auto& [panel, own] : bag.fabrics) {
+    const BagFabric& fabric = own;
     if (equal(fabric, base)) continue;
     const auto found =
         std::ranges::find_if(others, [&](const auto& other) { return equal(*other.first, fabric); });

@@ -61,9 +61,13 @@ std::unique_ptr<ImportedCase> import_case(const std::filesystem::path& deck, con
   if (options.units) import_units(*options.units);
   auto result = std::make_unique<ImportedCase>(read_deck_text(deck));
   ImportReport& report = result->report;
-  ImportedDeck mapped = result->text.program == DeckFormat::lsdyna
-                            ? map_lsdyna(result->text, options, report)
-                            : map_radioss(result->text, options, report);
+  ImportedDeck mapped;
+  try {
+    mapped = result->text.program == DeckFormat::lsdyna ? map_lsdyna(result->text, options, report)
+                                                        : map_radioss(result->text, options, report);
+  } catch (const DeckFault& fault) {
+    report.refuse("deck", fault.at(), fault.what());
+  }
   const std::string stem = plain_name(deck.stem().string());
   if (mapped.bag.name.empty()) mapped.bag.name = stem;
   result->scene = mapped.bag.name;
