@@ -97,6 +97,7 @@ def test_import_refusals():
     assert "fixed_nodes = [1, 2, 3, 4]" in taken(lsdyna(more=rigid.format(row(1.0, 7, 7))))
     refused_deck("the end of the run is in the engine file", radioss(), "lost.rad")
     refused_deck("has 2 monitored volumes", radioss("/MONVOL/GAS/2\nother\n"), "cube_0000.rad")
+    refused_deck("sets have each other as members", radioss().replace("/SURF/PART/3\nbag\n" + row(7), "/SURF/SURF/3\na\n" + row(4) + "/SURF/SURF/4\nb\n" + row(3)), "cube_0000.rad")
     refused_deck("this kind of monitored volume is not mapped", radioss().replace("AIRBAG1", "FVMBAG1"), "cube_0000.rad")
     refused_deck("allowed: /SENSOR/TIME", radioss("/SENSOR/ACCE/9\nfire\n").replace(row(5, 0, 0, 0, 0, 0), row(5, 9, 0, 0, 0, 0)), "cube_0000.rad")
 
@@ -120,6 +121,13 @@ def test_import_surfaces():
     assert "null_panels" not in read("case/cube.toml")
     refused_deck("separate surfaces", lsdyna(faces=FACES + [tuple(node + 10 for node in face) for face in FACES],
                  more="*NODE\n" + "".join(row(i + 10, width=8)[:-1] + row(*x, width=16) for i, x in enumerate([(900 + x, y, z) for z in (0, 9) for y in (0, 9) for x in (0, 9)], 1))))
+
+
+def test_import_of_elements_without_nodes():
+    """A line of text among elements is an element without nodes, which is said."""
+    deck = radioss().replace("/SHELL/7\n", "/SHELL/7\nnonsense\n").replace(row(0, 1)[:-1] + row(200.0, 0.0, width=20), row(3, 1)[:-1] + row(0.01, 0.0, width=20))
+    assert value(taken(deck, "cube_0000.rad"), "area") == pytest.approx(6e-4)
+    assert "1 elements with fewer than three different nodes are left out" in read("case/import.md")
 
 
 def test_import_names_every_card():

@@ -173,7 +173,17 @@ std::string RadiossContext::source(const DeckCard& card) const {
   return result;
 }
 
-std::set<long> RadiossContext::parts_of_surface(long surface, Place at) const {
+namespace {
+
+void require_shallow(int depth, Place at) {
+  constexpr int deepest = 16;
+  if (depth > deepest) throw DeckFault(at, "sets have each other as members, or are more than 16 deep");
+}
+
+}  // namespace
+
+std::set<long> RadiossContext::parts_of_surface(long surface, Place at, int depth) const {
+  require_shallow(depth, at);
   const auto found = tables.surfaces.find(surface);
   if (found == tables.surfaces.end())
     throw DeckFault(at, fmt::format("names the surface {}, which the deck does not have", surface));
@@ -187,7 +197,7 @@ std::set<long> RadiossContext::parts_of_surface(long surface, Place at) const {
                     fmt::format("surfaces /SURF/{} are not read, allowed: PART, SUBSET, SURF and SEG", kind));
   for (const long member : numbers_of(text, card)) {
     if (kind == "PART") parts.insert(member);
-    if (kind == "SURF" && member != surface) parts.merge(parts_of_surface(member, card.at));
+    if (kind == "SURF" && member != surface) parts.merge(parts_of_surface(member, card.at, depth + 1));
     if (kind == "SUBSET")
       for (const auto& [id, part] : tables.parts)
         if (part.subset == member) parts.insert(id);
@@ -196,7 +206,8 @@ std::set<long> RadiossContext::parts_of_surface(long surface, Place at) const {
   return parts;
 }
 
-std::vector<Facet> RadiossContext::segments_of_surface(long surface, Place at) const {
+std::vector<Facet> RadiossContext::segments_of_surface(long surface, Place at, int depth) const {
+  require_shallow(depth, at);
   const auto found = tables.surfaces.find(surface);
   if (found == tables.surfaces.end())
     throw DeckFault(at, fmt::format("names the surface {}, which the deck does not have", surface));
@@ -206,7 +217,8 @@ std::vector<Facet> RadiossContext::segments_of_surface(long surface, Place at) c
   if (words.size() > 1 && words[1] == "SURF")
     for (const long member : numbers_of(text, card))
       if (member != surface)
-        for (Facet& facet : segments_of_surface(member, card.at)) segments.push_back(std::move(facet));
+        for (Facet& facet : segments_of_surface(member, card.at, depth + 1))
+          segments.push_back(std::move(facet));
   if (words.size() < 2 || words[1] != "SEG") return segments;
   for (const DeckLine* line : filled(card, 1)) {
     const DeckFields f(text, card, *line, {10, 10, 10, 10, 10});
@@ -219,7 +231,8 @@ std::vector<Facet> RadiossContext::segments_of_surface(long surface, Place at) c
   return segments;
 }
 
-std::set<long> RadiossContext::nodes_of_group(long group, Place at) const {
+std::set<long> RadiossContext::nodes_of_group(long group, Place at, int depth) const {
+  require_shallow(depth, at);
   const auto found = tables.groups.find(group);
   if (found == tables.groups.end())
     throw DeckFault(at, fmt::format("names the node group {}, which the deck does not have", group));
@@ -235,7 +248,7 @@ std::set<long> RadiossContext::nodes_of_group(long group, Place at) const {
     if (kind == "NODE")
       nodes.insert(member);
     else if (kind == "GRNOD" && member != group)
-      nodes.merge(nodes_of_group(member, card.at));
+      nodes.merge(nodes_of_group(member, card.at, depth + 1));
     else if (kind == "PART")
       add_parts({member});
     else if (kind == "SURF")
@@ -252,7 +265,7 @@ double RadiossContext::area_of(long part) const {
   const auto panel = panels.find(part);
   double area = 0.0;
   for (const Facet& facet : bag.facets) {
-    if (panel == panels.end() || facet.panel != panel->second) continue;
+    if (panel == panels.end() || facet.panel != panel->second || facet.nodes.empty()) continue;
     const Eigen::Vector3d& a = bag.nodes.at(facet.nodes.front());
     for (std::size_t i = 1; i + 1 < facet.nodes.size(); ++i)
       area += 0.5 * (bag.nodes.at(facet.nodes[i]) - a).cross(bag.nodes.at(facet.nodes[i + 1]) - a).norm();

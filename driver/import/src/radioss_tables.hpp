@@ -65,10 +65,11 @@ struct RadiossContext {
   DeckFields twenties(const DeckCard& card, std::size_t line) const;  // five fields of twenty columns
   Knots curve(long id, double x_unit, double y_unit, const std::string& key, Place at) const;
   std::string source(const DeckCard& card) const;
-  /// Members of sets, those of sets of sets included. Throw DeckFault for a kind that is not read.
-  std::set<long> parts_of_surface(long surface, Place at) const;
-  std::vector<Facet> segments_of_surface(long surface, Place at) const;
-  std::set<long> nodes_of_group(long group, Place at) const;
+  /// Members of sets, those of sets of sets included. Throw DeckFault for a kind that is not read, and for
+  /// sets that have each other as members.
+  std::set<long> parts_of_surface(long surface, Place at, int depth = 0) const;
+  std::vector<Facet> segments_of_surface(long surface, Place at, int depth = 0) const;
+  std::set<long> nodes_of_group(long group, Place at, int depth = 0) const;
   double area_of(long part) const;  // [m2] at the start
 };
 
