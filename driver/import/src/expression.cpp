@@ -4,6 +4,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <elementary/exponential.hpp>
+#include <elementary/trigonometric.hpp>
 
 #include "base/case_reader.hpp"
 #include "deck_reader.hpp"
@@ -71,10 +73,10 @@ class Expression {
     double result = base;
     if (peek() == '^') {
       ++next_;
-      result = std::pow(base, power());
+      result = elementary::pow(base, power());
     } else if (text_.substr(next_).starts_with("**")) {
       next_ += 2;
-      result = std::pow(base, power());
+      result = elementary::pow(base, power());
     }
     --depth_;
     return result;
@@ -124,10 +126,10 @@ class Expression {
   double function(const std::string& name, double x) const {
     if (name == "sqrt") return std::sqrt(x);
     if (name == "abs") return std::abs(x);
-    if (name == "exp") return std::exp(x);
-    if (name == "log") return std::log(x);
-    if (name == "sin") return std::sin(x);
-    if (name == "cos") return std::cos(x);
+    if (name == "exp") return elementary::exp(x);
+    if (name == "log") return elementary::log(x);
+    if (name == "sin") return elementary::sin(x);
+    if (name == "cos") return elementary::cos(x);
     if (name == "int") return std::trunc(x);
     fail();
   }

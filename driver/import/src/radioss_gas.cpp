@@ -67,6 +67,8 @@ void RadiossGas::polynomial(const DeckCard& card, bool by_mole, BagGas& gas) {
   if (inverse == 0.0) return;
   constexpr int points = 181;
   constexpr double low = 200.0, step = 10.0, scale = 1e-3;
+  constexpr std::array powers{1.0, scale, scale * scale, scale * scale * scale,
+                              scale * scale * scale * scale};
   Eigen::Matrix<double, points, 5> terms;
   Eigen::Matrix<double, points, 1> values;
   for (int i = 0; i < points; ++i) {
@@ -75,12 +77,13 @@ void RadiossGas::polynomial(const DeckCard& card, bool by_mole, BagGas& gas) {
     values(i) = inverse / (t * t);
     for (int j = 0; j < 5; ++j, power *= t * scale) {
       terms(i, j) = power;
-      values(i) += gas.cp[static_cast<std::size_t>(j)] * power / std::pow(scale, j);
+      values(i) += gas.cp[static_cast<std::size_t>(j)] * power / powers[static_cast<std::size_t>(j)];
     }
   }
   const Eigen::Matrix<double, 5, 1> fit = terms.colPivHouseholderQr().solve(values);
   const double misfit = ((terms * fit - values).array() / values.array()).abs().maxCoeff();
-  for (int j = 0; j < 5; ++j) gas.cp[static_cast<std::size_t>(j)] = fit(j) * std::pow(scale, j);
+  for (int j = 0; j < 5; ++j)
+    gas.cp[static_cast<std::size_t>(j)] = fit(j) * powers[static_cast<std::size_t>(j)];
   c_.report.note(fmt::format(
       "{}: the term Cpe/T^2 has no counterpart: a polynomial fits cp within {:.2g} from 200 to 2000 K",
       c_.text.where(card.at), misfit));

@@ -55,7 +55,7 @@ WarpDirection mean_direction(const BagDeck& bag, const std::string& panel, doubl
     const Eigen::Vector3d in_plane = along - along.dot(side.normal) * side.normal;
     const double length = in_plane.norm();
     const double cosine = length > 0.0 ? std::min(1.0, std::abs(in_plane.dot(side.along)) / length) : 0.0;
-    const double angle = std::acos(cosine) / degree;
+    const double angle = elementary::atan2(std::sqrt(1.0 - cosine * cosine), cosine) / degree;
     squares += side.area * angle * angle;
     area += side.area;
   }
