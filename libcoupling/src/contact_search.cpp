@@ -183,7 +183,8 @@ void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const N
     // A centre this close to the skin is far beyond the allowed penetration, on either side.
     if (path_meets_triangle(start, end, 0.01 * radius))
       throw PenetrationError("contact: the sphere's centre crossed the skin at element " + std::to_string(e) +
-                             " within one step");
+                                 " within one step",
+                             static_cast<int>(e));
   }
 }
 

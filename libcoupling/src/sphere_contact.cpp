@@ -204,8 +204,10 @@ ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, co
   bound_stiffness(state, result);
   if (result.penetration > 0.5 * impactor_.size())
     throw PenetrationError("contact: penetration " + detail::text(result.penetration, 3) + " m at element " +
-                           std::to_string(result.deepest_element) + " exceeds half the sphere's radius, " +
-                           detail::text(0.5 * impactor_.size(), 3) + " m");
+                               std::to_string(result.deepest_element) +
+                               " exceeds half the sphere's radius, " +
+                               detail::text(0.5 * impactor_.size(), 3) + " m",
+                           result.deepest_element);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <stdexcept>
+#include <string>
 
 namespace coupling {
 
@@ -16,7 +17,11 @@ class ContactError : public std::runtime_error {
 /// prevents that.
 class PenetrationError : public ContactError {
  public:
-  using ContactError::ContactError;
+  PenetrationError(const std::string& message, int element) : ContactError(message), element_(element) {}
+  int element() const { return element_; }  // of the skin, where
+
+ private:
+  int element_;
 };
 
 }  // namespace coupling

@@ -151,12 +151,13 @@ void warn_of_square_nozzle(const jet::JetModel& model, std::size_t inflator,
         inflator, model.short_side, model.long_side));
 }
 
-// Elements wider than the jet at its outlet sample it by chance.
+// Elements wider than the jet at its outlet sample it by chance; those of null panels do not.
 void warn_if_coarse(const jet::JetModel& model, std::size_t inflator, const Eigen::Matrix3Xd& nodes,
-                    const Eigen::Matrix3Xi& elements, int subdivisions, std::vector<std::string>& warnings) {
+                    const Eigen::Matrix3Xi& elements, const std::vector<int>& null_elements, int subdivisions,
+                    std::vector<std::string>& warnings) {
   double longest = 0.0;
-  for (Eigen::Index e = 0; e < elements.cols(); ++e)
-    for (int i = 0; i < 3; ++i)
+  for (int e = 0; e < elements.cols(); ++e)
+    for (int i = 0; i < 3 && !std::ranges::binary_search(null_elements, e); ++i)
       longest = std::max(longest, (nodes.col(elements(i, e)) - nodes.col(elements((i + 1) % 3, e))).norm());
   longest /= subdivisions;
   const double width = jet::section(model, 0.0).width;
@@ -243,7 +244,7 @@ void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
   scene.jet_work = work;
   const jet::JetModel widest = at_peak(scene, part);
   warn_of_square_nozzle(widest, index, scene.warnings);
-  warn_if_coarse(widest, index, nodes, elements, subdivisions, scene.warnings);
+  warn_if_coarse(widest, index, nodes, elements, null_elements, subdivisions, scene.warnings);
   if (scene.target) require_target_ahead(*table, model, *scene.target);
   if (scene.bag)
     table->located("centre", [&] {

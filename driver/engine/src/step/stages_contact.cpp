@@ -2,6 +2,7 @@
 // S4: the impactor's sphere against the skin, and both contacts in order.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -41,9 +42,15 @@ coupling::ContactResult evaluate(const Scene& scene, State& state, const Eigen::
     return scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
                                    state.bag->contact_force.map(), turn);
   } catch (const coupling::PenetrationError& error) {
+    const bool is_null = std::ranges::binary_search(scene.bag->null_elements, error.element());
     throw coupling::PenetrationError(
-        fmt::format("{}; try {}: the sphere then sinks in less, and steps near the skin are shorter",
-                    error.what(), stiffer(scene)));
+        is_null
+            ? fmt::format("{}, of a null panel, which has no fabric and pushes nothing: let the sphere "
+                          "swing past the hole, or give the panel fabric",
+                          error.what())
+            : fmt::format("{}; try {}: the sphere then sinks in less, and steps near the skin are shorter",
+                          error.what(), stiffer(scene)),
+        error.element());
   }
 }
 
