@@ -212,6 +212,30 @@ TEST(curve_change, units_are_the_numbers_written_in_si) {
   EXPECT_THROW(driver::unit_named("", "s"), std::invalid_argument);
 }
 
+TEST(curve_change, units_that_are_allowed_are_listed) {
+  const auto refusal = [](const char* name, const char* si, driver::PressureZero zero) {
+    try {
+      driver::unit_named(name, si, zero);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  using driver::PressureZero;
+  EXPECT_EQ(refusal("min", "s", PressureZero::vacuum), "is \"min\", allowed: s, ms, us");
+  EXPECT_EQ(refusal("kPa gauge", "s", PressureZero::vacuum), "is \"kPa gauge\", allowed: s, ms, us");
+  EXPECT_EQ(refusal("km", "Pa", PressureZero::none),
+            "is \"km\", allowed: Pa, hPa, kPa, MPa, GPa, mbar, bar, atm, psi");
+  EXPECT_EQ(refusal("km", "Pa", PressureZero::vacuum),
+            "is \"km\", allowed: Pa, hPa, kPa, MPa, GPa, mbar, bar, atm, psi, also with gauge or absolute");
+  // Quantities without other units have their own.
+  for (const char* si : {"W", "N s", "kg K/s", "m/s²"}) {
+    EXPECT_EQ(refusal(si, si, PressureZero::vacuum), "accepted");
+    EXPECT_EQ(driver::unit_named(si, si).to_si(7.5), 7.5);
+  }
+  EXPECT_EQ(refusal("kW", "W", PressureZero::vacuum), "is \"kW\", allowed: W");
+}
+
 TEST(curve_change, absolute_pressures_of_a_curve_lose_the_ambient_one) {
   const auto knots = [](const std::vector<std::string>& overrides) {
     return knots_of(*scene_of("tank_blowdown", overrides).gas->model.vents[0].area_of_overpressure);

@@ -21,7 +21,8 @@ struct TableRow {
 constexpr double psi = 6894.757293168361;  // [Pa] of a pound-force, 4.4482216152605 N, per square inch
 constexpr double pound = 0.45359237;       // [kg]
 
-// Units of each quantity. Both factor and divisor are exact, so that a product is rounded once.
+// Units of each quantity. Factor and divisor are whole numbers where they can be: with one of them 1, the
+// result is rounded once.
 constexpr TableRow rows[] = {
     {"s", "s", {}},
     {"s", "ms", {1.0, 1e3}},
@@ -123,8 +124,10 @@ PressureZero take_zero(std::string& name) {
   std::vector<std::string_view> names;
   for (const TableRow& row : rows)
     if (row.si == si) names.push_back(row.name);
+  if (names.empty()) names.push_back(si);  // always known
+  const bool has_zero = si == "Pa" && zero != PressureZero::none;
   throw std::invalid_argument(fmt::format("is \"{}\", allowed: {}{}", name, fmt::join(names, ", "),
-                                          zero == PressureZero::none ? "" : ", also with gauge or absolute"));
+                                          has_zero ? ", also with gauge or absolute" : ""));
 }
 
 }  // namespace
@@ -135,8 +138,9 @@ NamedUnit unit_named(const std::string& name, std::string_view si, PressureZero 
   std::string unit = plain(name);
   const PressureZero own = quantity == "Pa" ? take_zero(unit) : PressureZero::none;
   const TableRow* row = find_row(quantity, unit);
-  if (!row || (own != PressureZero::none && zero == PressureZero::none)) refuse(name, quantity, zero);
-  NamedUnit found = row->unit;
+  const bool is_known = row || (unit == quantity && !unit.empty());
+  if (!is_known || (own != PressureZero::none && zero == PressureZero::none)) refuse(name, quantity, zero);
+  NamedUnit found = row ? row->unit : NamedUnit{};
   if (own == PressureZero::none || own == zero) return found;
   if (!ambient_pressure)
     throw std::invalid_argument(

@@ -16,8 +16,8 @@ enum class PressureZero {
   ambient,  // an overpressure
 };
 
-/// Numbers in a named unit -> SI units. Exact to the rounding of one multiplication or division, and of one
-/// sum if there is an offset; so 35 ms is the number 0.035.
+/// Numbers in a named unit -> SI units. Rounded by one multiplication or division, so that 35 ms is the
+/// number 0.035; by both for degF, in2, deg and deg/s; and by a sum if there is an offset.
 struct NamedUnit {
   double factor = 1.0;
   double divisor = 1.0;
@@ -30,7 +30,7 @@ struct NamedUnit {
 };
 
 /// The unit called `name` of a quantity whose SI unit is `si` ("kg/s"; "" for a strain). "°C", "degC", "m²"
-/// and "m2" are all known.
+/// and "m2" are all known. The SI unit itself is always known.
 ///
 /// Pressures may end in " gauge" or " absolute" (also psig, psia, barg, bara). Where that is not what the
 /// quantity counts from, `zero`, the ambient pressure [Pa] is added or subtracted.
