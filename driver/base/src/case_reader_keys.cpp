@@ -51,7 +51,7 @@ double KeyReader::checked(const toml::node& node, Bounds bounds) const {
   const auto value = node.value<double>();
   if (!node.is_number() || !value)
     fail(fmt::format("{}, allowed: {}",
-                     is_changed_constant(node) ? "is no curve and has no scale, offset or units"
+                     is_changed_constant(node) ? "is not a curve, so it cannot have scale, offset or units"
                                                : fmt::format("is {}", type_name(node)),
                      with_unit(bounds.text, bounds.unit)));
   if (!std::isfinite(*value) || !bounds.contain(*value))
