@@ -65,6 +65,35 @@ TEST_F(csv_dialect, what_may_mean_two_numbers_is_refused) {
   EXPECT_EQ(fault("t,p\n0;1\n"), "a.csv:2:1: '0;1' is not a finite number");
 }
 
+TEST_F(csv_dialect, thousands_are_not_taken_for_decimals) {
+  const std::string advice = " of the file has three digits after it; write ";
+  EXPECT_EQ(fault("t;p\n0;99\n1;101,325\n"),
+            "a.csv:3:3: '101,325' may be 101.325 or 101325, as every comma" + advice + "101,3250 or 101325");
+  EXPECT_EQ(fault("t\tp\n0\t-1.000\n1\t-2.500\n"),
+            "a.csv:2:3: '-1.000' may be -1.000 or -1000, as every point" + advice + "-1.0000 or -1000");
+  EXPECT_EQ(fault("t;p;q\n0;99;0.5\n1;101,325;12.5.2024\n").substr(0, 30), "a.csv:3:3: '101,325' may be 10");
+  // One number that can only have a decimal mark decides, also in a column that is not needed.
+  for (const char* text :
+       {"t;p\n0;99\n1;101,3250\n", "t;p\n0,5;99\n1;101,325\n", "t;p\n0;99\n1;101,325\n2;1013,250\n",
+        "t;p\n0,000;99\n0,125;101,325\n", "t;p\n0;99\n1;101,325e0\n", "t;p\n,125;99\n1;101,325\n",
+        "t;p;q\n0;99;7\n1;101,325;7,5\n", "t,p\n0,99\n1,101.325\n"})
+    EXPECT_EQ(fault(text), "") << text;
+}
+
+TEST_F(csv_dialect, header_has_the_needed_name_by_any_separator) {
+  const auto header = [&](const std::string& text) {
+    std::ofstream(folder_.path / "a.csv") << text;
+    const auto found =
+        driver::read_csv_header(folder_.path / "a.csv", [](const std::string& name) { return name == "t"; });
+    return std::make_pair(found.line, found.names);
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(header("t;p;a, free\n0;1;2\n"), std::make_pair(std::size_t{1}, Names{"t", "p", "a, free"}));
+  EXPECT_EQ(header("t;a, b, c, d\n0;1\n"), std::make_pair(std::size_t{1}, Names{"t", "a, b, c, d"}));
+  EXPECT_EQ(header("# made\ntitle, long\nq\tt\n1\t0\n"), std::make_pair(std::size_t{3}, Names{"q", "t"}));
+  EXPECT_EQ(header("x;y;a, free\n0;1;2\n"), std::make_pair(std::size_t{1}, Names{"x", "y", "a, free"}));
+}
+
 // As LabVIEW and oscilloscopes write them.
 TEST_F(csv_dialect, header_may_have_titles_above_it) {
   const std::vector<std::vector<double>> known{{20.5, 20.75}, {-1e-3, 1.4e-3}};

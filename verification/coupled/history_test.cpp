@@ -116,6 +116,8 @@ TEST(history, bad_histories_are_refused_where_they_stand) {
   expect(head + "0,1\n1\n2,3\n", "mine.csv:4:1: has 1 columns");
   expect(head + "0,1\n1,2\n", "mine.csv:4:1: has 2 rows, needed: 3 or more");
   expect(head + "0,1,\n1,2,\n2,3,\n", "accepted");
+  expect("time_s;pressure_Pa;Notiz, frei\n0;1;0\n1;2;0\n2;3;0\n", "accepted");
+  expect("Test 7, bag\ntime_s;pressure_Pa\n0;1\n1;2\n2;3\n", "accepted");
   expect(head + "0,1\n0,5,101,3\n2,3\n", "mine.csv:4:1: has 4 columns, but the header 2");
   expect("time_s,time_s\n0,1\n1,2\n2,3\n", "mine.csv:1:1: 'time_s' is more than one column");
   expect("t,pressure_Pa\n0,1\n1,2\n2,3\n", "mine.csv:1:1: time_s: no such column");

@@ -31,13 +31,7 @@ std::size_t find_outside_quotes(const std::string& line, char wanted, std::size_
 }
 
 constexpr char separators[] = {',', ';', '\t'};
-
-// The character between columns by what the header has.
-char separator_of(const std::string& header) {
-  for (const char separator : separators)
-    if (find_outside_quotes(header, separator) < header.size()) return separator;
-  return ',';
-}
+constexpr std::size_t most_titles = 100;  // rows above the header
 
 // True for a blank or a control character. A NUL counts as neither, so that the message shows it.
 bool is_blank(char c) {
@@ -70,6 +64,16 @@ std::size_t filled(const std::vector<CsvCell>& row) {
   std::size_t count = row.size();
   while (count > 0 && row[count - 1].text.empty()) --count;
   return count;
+}
+
+// Splits a line, which may be the header, by the separator that makes most cells.
+void split_by_most(const std::string& line, std::vector<CsvCell>& cells) {
+  std::vector<CsvCell> other;
+  split_row(line, separators[0], cells);
+  for (const char separator : separators) {
+    split_row(line, separator, other);
+    if (filled(other) > filled(cells)) cells = other;
+  }
 }
 
 constexpr std::size_t most_rows = 20'000'000;  // twice as many as a run writes
@@ -118,17 +122,15 @@ class HeaderSearch {
     return std::nullopt;
   }
   bool is_given_up() const { return titles_ == most_titles; }
-  // Throws CaseError: the first row of the file is no header.
+  // Throws CaseError for a name that the first row of the file does not have.
   void fail(const CsvTable& table) const {
     if (titles_ == 0) return;
     std::vector<CsvCell> row;
-    split_row(first_, separator_of(first_), row);
+    split_by_most(first_, row);
     find_columns(row, table, first_number_);
   }
 
  private:
-  static constexpr std::size_t most_titles = 100;
-
   static bool has(const std::vector<CsvCell>& row, const std::string& name) {
     return std::ranges::find(row, std::string_view(name), &CsvCell::text) != row.end();
   }
@@ -139,12 +141,44 @@ class HeaderSearch {
   std::size_t first_number_ = 0;
 };
 
+// A number with one comma or point.
+struct MarkedNumber {
+  std::string_view text;
+  std::size_t mark = 0;
+
+  char character() const { return text[mark]; }
+  std::string with(std::string_view between) const {
+    return fmt::format("{}{}{}", text.substr(0, mark), between, text.substr(mark + 1));
+  }
+  // True for 1 to 3 digits, not 0 at first, before the mark and 3 after it: 101,325 may be 101325.
+  bool may_be_thousands() const {
+    const auto digits = [](std::string_view part) {
+      return std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
+    };
+    auto before = text.substr(0, mark);
+    const auto after = text.substr(mark + 1);
+    if (before.starts_with('-') || before.starts_with('+')) before.remove_prefix(1);
+    return before.size() >= 1 && before.size() <= 3 && before[0] != '0' && digits(before) &&
+           after.size() == 3 && digits(after);
+  }
+};
+
 // Numbers of one file. Beside semicolons or tabs they may have decimal commas, but then all of them: 1.234
 // may have a point for thousands.
 class NumberReader {
  public:
   NumberReader(const std::filesystem::path& file, char separator, std::size_t header_line)
       : file_(file), separator_(separator), header_line_(header_line) {}
+
+  // Looks for numbers that can only have a decimal comma or point. Those of all columns count.
+  void look(const std::vector<CsvCell>& row) {
+    if (separator_ == ',' || decimal_.size() == 2) return;
+    for (const CsvCell& cell : row) {
+      const MarkedNumber number{cell.text, cell.text.find_first_of(",.")};
+      if (number.mark == cell.text.npos || decimal_.find(number.character()) != decimal_.npos) continue;
+      if (!number.may_be_thousands() && file_number_of(number.with("."))) decimal_ += number.character();
+    }
+  }
 
   double read(const std::vector<CsvCell>& row, std::size_t index, std::size_t line) {
     if (index >= row.size())
@@ -155,6 +189,16 @@ class NumberReader {
       fail_at(file_, line, cell.column,
               fmt::format("'{}' is not a finite number{}", cell.text, advice(cell.text, line)));
     return *value;
+  }
+
+  // After all rows. Throws CaseError if marks may be between thousands in all numbers.
+  void check_marks() const {
+    if (!doubt_ || decimal_.find(mark_) != decimal_.npos) return;
+    const MarkedNumber number{doubt_->text, doubt_->text.find(mark_)};
+    fail_at(file_, doubt_->line, doubt_->column,
+            fmt::format("'{0}' may be {1} or {2}, as every {3} of the file has three digits after it; "
+                        "write {0}0 or {2}",
+                        number.text, number.with("."), number.with(""), mark_ == ',' ? "comma" : "point"));
   }
 
   // Throws CaseError for more cells than names: a decimal comma, or a column without a name.
@@ -185,17 +229,26 @@ class NumberReader {
               fmt::format("'{}' is ambiguous, as line {} has a decimal {}; allowed: the same in all numbers, "
                           "and nothing between thousands",
                           cell.text, line_, mark_ == ',' ? "comma" : "point"));
+    if (!doubt_ && MarkedNumber{cell.text, mark}.may_be_thousands())
+      doubt_ = {std::string(cell.text), line, cell.column};
     if (mark_ == '.') return cell.text;
     text_ = cell.text;
     text_[mark] = '.';
     return text_;
   }
 
+  struct Doubt {
+    std::string text;
+    std::size_t line, column;
+  };
+
   const std::filesystem::path& file_;
   char separator_;
   std::size_t header_line_;
-  char mark_ = 0;         // the first decimal comma or point
-  std::size_t line_ = 0;  // its line
+  std::string decimal_;         // of comma and point, those that can only be decimal
+  std::optional<Doubt> doubt_;  // the first number whose mark may be between thousands
+  char mark_ = 0;               // the first decimal comma or point
+  std::size_t line_ = 0;        // its line
   std::string text_;
 };
 
@@ -224,19 +277,34 @@ std::string no_such_column(const std::string& name, const std::vector<std::strin
   return fmt::format("{}: no such column, the header has {}", name, fmt::join(header, ", "));
 }
 
-CsvHeader read_csv_header(const std::filesystem::path& file) {
+CsvHeader read_csv_header(const std::filesystem::path& file,
+                          const std::function<bool(const std::string&)>& is_needed) {
   require_whole(file);
   LineReader lines(file);
-  CsvHeader header;
+  std::optional<CsvHeader> first;
   std::vector<CsvCell> cells;
-  for (std::string line; lines.next(line);) {
-    if (holds_nothing(line)) continue;
-    header.line = lines.number();
-    split_row(line, separator_of(line), cells);
+  const auto names = [&] {
+    std::vector<std::string> texts;
     cells.resize(std::max<std::size_t>(filled(cells), 1));
-    for (const auto& cell : cells) header.names.emplace_back(cell.text);
-    return header;
+    for (const auto& cell : cells) texts.emplace_back(cell.text);
+    return texts;
+  };
+  std::size_t titles = 0;
+  for (std::string line; titles < most_titles && lines.next(line);) {
+    if (holds_nothing(line)) continue;
+    CsvHeader best{lines.number(), {}};
+    for (const char separator : separators) {
+      split_row(line, separator, cells);
+      auto found = names();
+      if (found.size() > best.names.size() && std::ranges::any_of(found, is_needed))
+        best.names = std::move(found);
+    }
+    if (!best.names.empty()) return best;
+    if (titles++ > 0) continue;
+    split_by_most(line, cells);
+    first = CsvHeader{lines.number(), names()};
   }
+  if (first) return *first;
   throw CaseError(fmt::format("{}:1:1: has no header row", file.string()));
 }
 
@@ -267,6 +335,7 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
     }
     split_row(line, separator, row);
     numbers->check_width(row, width, lines.number());
+    numbers->look(row);
     if (table.rows() == most_rows)
       fail_at(file, lines.number(), 1, fmt::format("is more than {} rows", most_rows));
     table.lines.push_back(static_cast<std::uint32_t>(lines.number()));
@@ -275,7 +344,10 @@ CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::stri
       table.positions[c].push_back(static_cast<std::uint32_t>(row[indices[c]].column));
     }
   }
-  if (!numbers) header.fail(table);
+  if (numbers)
+    numbers->check_marks();
+  else
+    header.fail(table);
   return table;
 }
 

@@ -83,7 +83,6 @@ Map read_map(const std::filesystem::path& file) {
   return map;
 }
 
-// The pattern has a star.
 bool matches(const std::string& pattern, const std::string& name) {
   const auto star = pattern.find('*');
   const std::string_view tail = std::string_view(pattern).substr(star + 1);
@@ -93,6 +92,7 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 using NameCounts = std::unordered_map<std::string, std::size_t>;
 
+  if (star == pattern.npos) return name == pattern;
 // The comparison that a history with foreign names is read for.
 struct Purpose {
   const History& reference;
@@ -264,7 +264,8 @@ History read(const std::filesystem::path& file, const std::filesystem::path& map
   if (map.format != Format::csv) {
     table = select(read_text_of(file, map), map.columns);
   } else {
-    const CsvHeader header = read_csv_header(file);
+    const std::string time = map_file.empty() ? "time_s" : map.columns.front().column;
+    const CsvHeader header = read_csv_header(file, [&](const auto& name) { return matches(time, name); });
     if (map_file.empty()) map.columns = own_columns(header);
     if (map_file.empty() && purpose && std::ranges::find(header.names, "time_s") == header.names.end())
       throw CaseError(fmt::format("{}:{}:1: {}; --map names the columns of another program", file.string(),

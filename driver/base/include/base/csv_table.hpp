@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +34,11 @@ struct CsvHeader {
   std::vector<std::string> names;
 };
 
-/// Names in the header row. Throws CaseError if the file cannot be read or has no header.
-CsvHeader read_csv_header(const std::filesystem::path& file);
+/// Names in the header row: the first one that has a name for which `is_needed` is true, by any separator.
+/// Without such a row among the first 100 it is the first row, by the separator that makes most cells. Throws
+/// CaseError if the file cannot be read or has no row.
+CsvHeader read_csv_header(const std::filesystem::path& file,
+                          const std::function<bool(const std::string&)>& is_needed);
 
 /// Message that a header has no column of this name.
 std::string no_such_column(const std::string& name, const std::vector<std::string>& header);
@@ -45,7 +49,8 @@ std::string no_such_column(const std::string& name, const std::vector<std::strin
 /// decimal commas. Throws CaseError at the place of the fault if
 /// - the file cannot be read or has more than 20 million rows,
 /// - a column or a cell is missing, or a row has too many cells,
-/// - a cell is not a finite number, or has a decimal comma where another has a point.
+/// - a cell is not a finite number, or has a decimal comma where another has a point,
+/// - commas or points beside semicolons or tabs may all stand between thousands, as in 101,325.
 CsvTable read_csv(const std::filesystem::path& file, const std::vector<std::string>& names);
 
 }  // namespace driver
