@@ -147,6 +147,14 @@ TEST(history, bad_maps_are_refused_where_they_stand) {
   expect(csv, good + "\"p left\"\nscale = 1e300\noffset = 1e308\n", "mine.csv:2:3: p left: ");
   expect(csv, good + "\"p left\"\nfactor = 2\n", "unknown key");
   expect(csv, good + "\"p left\"\nunit = \"Pa\"\n", "accepted");
+  expect(csv, good + "\"p left\"\nunit = \"kPa absolute\"\n", "accepted");
+  expect(csv, good + "\"p left\"\nunit = \"kPa gauge\"\n", "which needs the ambient pressure");
+  const std::string overpressure =
+      "format = \"csv\"\n[time]\ncolumn = \"t\"\n[[quantity]]\nname = \"overpressure_Pa\"\ncolumn = \"p "
+      "left\"\nunit = ";
+  expect(csv, overpressure + "\"kPa gauge\"\n", "accepted");
+  expect(csv, overpressure + "\"kPa absolute\"\n",
+         "map.toml:7:1: quantity.0.unit: is \"kPa absolute\", which needs the ambient pressure");
   expect(csv, good + "\"p left\"\n[[quantity]]\nname = \"pressure_Pa\"\ncolumn = \"p right\"\n",
          "given twice");
   expect(csv, "format = \"xls\"\n[time]\ncolumn = \"t\"\n", "format");

@@ -38,6 +38,12 @@ struct Map {
   std::vector<MappedColumn> columns;  // the time first
 };
 
+// What a column of this name counts from.
+PressureZero zero_of_column(const std::string& name) {
+  if (name.find("overpressure") != name.npos) return PressureZero::ambient;
+  return name.find("stress") != name.npos ? PressureZero::none : PressureZero::vacuum;
+}
+
 MappedColumn read_column(TableReader&& table, const std::string& name) {
   MappedColumn column;
   column.name = name.empty() ? table.at("name").text() : name;
@@ -52,7 +58,8 @@ MappedColumn read_column(TableReader&& table, const std::string& name) {
   column.offset = table.at("offset").number(any_number, 0.0);
   if (table.has("unit"))
     table.located("unit", [&] {
-      column.unit = unit_named(table.at("unit").text(), unit_by_ending(column.name), PressureZero::vacuum);
+      column.unit =
+          unit_named(table.at("unit").text(), unit_by_ending(column.name), zero_of_column(column.name));
     });
   table.finish();
   return column;
@@ -85,6 +92,7 @@ Map read_map(const std::filesystem::path& file) {
 
 bool matches(const std::string& pattern, const std::string& name) {
   const auto star = pattern.find('*');
+  if (star == pattern.npos) return name == pattern;
   const std::string_view tail = std::string_view(pattern).substr(star + 1);
   return name.size() + 1 >= pattern.size() && name.starts_with(pattern.substr(0, star)) &&
          name.ends_with(tail);
@@ -92,7 +100,6 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 using NameCounts = std::unordered_map<std::string, std::size_t>;
 
-  if (star == pattern.npos) return name == pattern;
 // The comparison that a history with foreign names is read for.
 struct Purpose {
   const History& reference;
