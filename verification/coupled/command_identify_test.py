@@ -118,7 +118,11 @@ def test_identify_units(data):
             continue
         assert numbers("foreign_curves.csv")[name] == pytest.approx(column, abs=1e-5 * max(map(abs, column)), rel=0), name
     refused('--tank-unit is "km", allowed: Pa, .*, also with gauge or absolute', f"identify data.csv {BASE} --out none.csv", "--tank-unit", "km")
-    refused('--time-unit is "kPa", allowed: s, ms, us', f"identify data.csv {BASE} --out none.csv", "--time-unit", "kPa")
+    refused('--time-unit is "kPa", allowed: s, ms, us$', f"identify data.csv {BASE} --out none.csv", "--time-unit", "kPa")
+    refused("--ambient-pressure needs a gauge unit", f"identify data.csv {BASE} --out none.csv --ambient-pressure 98000 --tank-unit Pa")
+    average = f"identify data.csv {BASE.replace('dual', 'average')} --out none.csv"
+    refused("--chamber-unit needs --method dual", f"{average} --chamber-unit Pa")
+    refused("--ambient-pressure needs a gauge unit", f"{average} --ambient-pressure 98000")
 
 
 def test_identify_doubtful(data):

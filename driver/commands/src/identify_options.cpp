@@ -32,7 +32,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   add("--chamber-column", a.chamber_column, "name in the header");
   add("--time-unit", a.time_unit, "of the times");
   add("--tank-unit", a.tank_unit, "of the tank's pressure, absolute unless it says gauge (\"kPa gauge\")");
-  add("--chamber-unit", a.chamber_unit, "of the chamber's pressure");
+  c->add_option("--chamber-unit", a.chamber_unit, "of the chamber's pressure; default: Pa")->check(given);
   c->add_option("--ambient-pressure", a.ambient_pressure,
                 "that gauge pressures count from [Pa]; default: 101325")
       ->check(positive);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -23,15 +24,31 @@ NamedUnit unit_of(const char* option, const std::string& name, const char* si, d
   }
 }
 
+std::string chamber_unit(const IdentifyArguments& a) {
+  return a.chamber_unit.value_or("Pa");
+}
+
+// Units of the columns: time, tank and, for the method "dual", chamber. Refuses options without effect.
+std::vector<NamedUnit> units_of(const IdentifyArguments& a) {
+  const double ambient = a.ambient_pressure.value_or(standard_atmosphere);
+  std::vector<NamedUnit> units{unit_of("--time-unit", a.time_unit, "s", ambient),
+                               unit_of("--tank-unit", a.tank_unit, "Pa", ambient)};
+  if (a.method == "dual")
+    units.push_back(unit_of("--chamber-unit", chamber_unit(a), "Pa", ambient));
+  else if (a.chamber_unit)
+    throw CaseError("--chamber-unit needs --method dual");
+  const auto is_gauge = [](const NamedUnit& unit) { return unit.offset != 0.0; };
+  if (a.ambient_pressure && std::ranges::none_of(units, is_gauge))
+    throw CaseError("--ambient-pressure needs a gauge unit, such as --tank-unit \"kPa gauge\"");
+  return units;
+}
+
 }  // namespace
 
 CsvTable read_readings(const IdentifyArguments& a) {
-  const double ambient = a.ambient_pressure.value_or(standard_atmosphere);
+  const std::vector<NamedUnit> units = units_of(a);
   std::vector<std::string> columns{a.time_column, a.tank_column};
-  std::vector<NamedUnit> units{unit_of("--time-unit", a.time_unit, "s", ambient),
-                               unit_of("--tank-unit", a.tank_unit, "Pa", ambient)};
-  const NamedUnit chamber_unit = unit_of("--chamber-unit", a.chamber_unit, "Pa", ambient);
-  if (a.method == "dual") columns.push_back(a.chamber_column), units.push_back(chamber_unit);
+  if (a.method == "dual") columns.push_back(a.chamber_column);
   CsvTable table = read_csv(a.file, columns);
   for (std::size_t c = 0; c < columns.size(); ++c)
     for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -50,9 +67,9 @@ CsvTable read_readings(const IdentifyArguments& a) {
 
 std::string units_text(const IdentifyArguments& a) {
   const bool dual = a.method == "dual";
-  if (a.time_unit == "s" && a.tank_unit == "Pa" && (!dual || a.chamber_unit == "Pa")) return {};
+  if (a.time_unit == "s" && a.tank_unit == "Pa" && (!dual || chamber_unit(a) == "Pa")) return {};
   return fmt::format("time in {}, tank pressure in {}{}, ambient pressure {} Pa", a.time_unit, a.tank_unit,
-                     dual ? ", chamber pressure in " + a.chamber_unit : "",
+                     dual ? ", chamber pressure in " + chamber_unit(a) : "",
                      a.ambient_pressure.value_or(standard_atmosphere));
 }
 

@@ -190,12 +190,12 @@ struct IdentifyArguments {
   std::string chamber_column = "chamber_pressure_Pa";
   std::string time_unit = "s";
   std::string tank_unit = "Pa";
-  std::string chamber_unit = "Pa";
-  std::optional<double> ambient_pressure;  // [Pa] that gauge pressures count from; empty: the standard one
-  std::string noise = "reading";           // the gauges' noise is a share of the "reading" or of "full-scale"
-  double threshold = 0.05;                 // share of the largest K
-  int points = 501;                        // rows of the curve
-  int draws = 400;                         // draws for the bands
+  std::optional<std::string> chamber_unit;  // empty: Pa
+  std::optional<double> ambient_pressure;   // [Pa] that gauge pressures count from; empty: the standard one
+  std::string noise = "reading";  // the gauges' noise is a share of the "reading" or of "full-scale"
+  double threshold = 0.05;        // share of the largest K
+  int points = 501;               // rows of the curve
+  int draws = 400;                // draws for the bands
 };
 int identify(const IdentifyArguments& arguments);
 
