@@ -14,7 +14,7 @@ struct CaseLog {
   std::vector<KnownKey> keys;                // keys that the program has asked for, in that order
   std::set<std::string> may_be_absent;       // paths passed to TableReader::has
   std::vector<UsedCurve> curves;             // in the order of reading
-  std::optional<double> ambient_pressure;    // [Pa]; none in a scene without gas
+  std::optional<double> ambient_pressure;    // [Pa]; none in a scene without gas, set before curves are read
 };
 
 /// `key` as a part of a path; quoted unless it is a word.

@@ -59,7 +59,8 @@ class CurveReader {
   /// = true.
   CurveData curve_or_integral(Bounds bounds, const char* integral_unit);
 
-  /// Sets the ambient pressure [Pa], for units such as "kPa absolute" of the curves that are read later.
+  /// Sets the ambient pressure [Pa] of the document, for units such as "kPa absolute". Call it before any
+  /// curve is read: a curve that is read earlier refuses such units, as in a scene without gas.
   static void set_ambient_pressure(TableReader& root, double pressure);
 
  private:

@@ -51,6 +51,7 @@ std::optional<TableReader> read_ambient(TableReader& root, Scene& scene) {
   }
   TableReader table = *root.optional_table("ambient", true);
   scene.ambient.pressure = table.at("pressure").number(non_negative.in("Pa"), scene.ambient.pressure);
+  // Before any curve is read.
   CurveReader::set_ambient_pressure(root, scene.ambient.pressure);
   scene.ambient.temperature = table.at("temperature").number(gas_temperature, scene.ambient.temperature);
   return table;
