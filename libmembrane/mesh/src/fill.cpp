@@ -131,6 +131,10 @@ double LoopPlane::diameter() const {
   return length / std::numbers::pi;
 }
 
+double LoopPlane::roundness() const {
+  return 4.0 * std::numbers::pi * area / (length * length);
+}
+
 LoopPlane loop_plane(const Eigen::Ref<const Eigen::Matrix3Xd>& corners) {
   LoopPlane plane{0.0, 0.0, corners.rowwise().mean(), Eigen::Vector3d::Zero(), 0.0};
   Eigen::Vector3d twice = Eigen::Vector3d::Zero();

@@ -94,6 +94,10 @@ void close_hole(Mesh& mesh, const Hole& hole, const std::string& panel, double l
   };
   if (hole.plane.length > longest)
     refuse("is longer than " + three_digits(longest) + " m, the longest to be closed");
+  if (const double roundness = hole.plane.roundness(); roundness < kLeastRoundness)
+    refuse("is rather a seam whose sides parted: its area is " + three_digits(roundness) +
+           " times that of a circle of its length, allowed: at least " + three_digits(kLeastRoundness) +
+           "; join the sides by gasjet mesh convert --merge DISTANCE");
   const std::set<int> own(hole.nodes.begin(), hole.nodes.end());
   std::set<std::pair<int, int>> taken;
   for (const HalfEdge& edge : sorted_edges(mesh.elements))

@@ -24,7 +24,8 @@ struct LoopPlane {
   Eigen::Vector3d normal;  // the line runs counter-clockwise about it; 0 if it encloses no area
   double off_plane;        // [m] largest distance of a corner from the plane
 
-  double diameter() const;  // [m] of a circle of the same length
+  double diameter() const;   // [m] of a circle of the same length
+  double roundness() const;  // the area over that of this circle, 1 at most
 };
 
 /// The plane of a closed line, `corners` [m] 3 x N with N >= 3.

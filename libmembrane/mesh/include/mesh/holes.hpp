@@ -11,6 +11,10 @@
 
 namespace mesh {
 
+/// Least LoopPlane::roundness() of a hole that is closed: mouths of modules and vents have 0.8 and more, the
+/// slits of seams whose sides parted 0.02 to 0.03.
+inline constexpr double kLeastRoundness = 0.1;
+
 /// A closed line of edges that only one element has.
 struct Hole {
   std::vector<int> nodes;  // from 0, in the order in which the elements of a cap run
@@ -30,7 +34,7 @@ std::string describe(const Hole& hole);
 
 /// Closes a hole of the mesh with elements of its nodes, by fill(), in a panel of this name, new or not.
 /// Mesh::line gives them the line of Hole::element. Throws std::invalid_argument, with describe(), if the
-/// hole is longer than `longest` [m] or fill() refuses it.
+/// hole is longer than `longest` [m], is a slit by kLeastRoundness, or fill() refuses it.
 void close_hole(Mesh& mesh, const Hole& hole, const std::string& panel, double longest);
 
 }  // namespace mesh
