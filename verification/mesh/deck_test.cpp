@@ -222,7 +222,13 @@ TEST(Deck, panels_are_picked_with_their_nodes) {
   Mesh mesh = mesh::icosphere(1.0, 1);
   mesh.panel_names = {"a", "b", "c"};
   for (std::size_t e = 0; e < mesh.panel.size(); ++e) mesh.panel[e] = e < 5 ? 0 : e < 7 ? 1 : 2;
+  mesh.split_quads = 2;
+  mesh.split_polygons = 3;
+  mesh.most_corners = 7;
   const Mesh part = mesh::only_panels(mesh, {"c", "a"});
+  EXPECT_EQ(part.split_quads, 2);
+  EXPECT_EQ(part.split_polygons, 3);
+  EXPECT_EQ(part.most_corners, 7);
   EXPECT_EQ(part.panel_names, (std::vector<std::string>{"a", "c"}));
   ASSERT_EQ(part.element_count(), mesh.element_count() - 2);
   EXPECT_EQ(part.elements.maxCoeff(), part.node_count() - 1);

@@ -110,9 +110,10 @@ Mesh only_panels(const Mesh& mesh, const std::vector<std::string>& names) {
     builder.add_polygon(corners, panel_of(e), static_cast<std::size_t>(line));
   }
   Mesh part = std::move(builder).finish();
-  if (mesh.line.empty()) part.line.clear();
   if (mesh.start) part.start = (*mesh.start)(Eigen::all, nodes);
   part.split_quads = mesh.split_quads;
+  part.split_polygons = mesh.split_polygons;
+  part.most_corners = mesh.most_corners;
   part.node_sets =
       renumbered_sets(mesh.node_sets, [&](int node) { return number[static_cast<std::size_t>(node)]; });
   part.other_elements = mesh.other_elements;

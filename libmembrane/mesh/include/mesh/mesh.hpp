@@ -30,7 +30,7 @@ struct Mesh {
   std::vector<NodeSet> node_sets;  // of a deck, and of Gmsh's physical curves
   int split_quads = 0;             // number of quads in the file, each split in two elements
   int split_polygons = 0;          // number of polygons with more corners in the file, split in elements
-  int most_corners = 3;            // of these polygons
+  int most_corners = 3;            // of the elements, quads and polygons of the file
   /// of a deck: keywords of elements other than shells, with their number.
   std::vector<std::string> other_elements;
   std::vector<std::filesystem::path> included;  // of a deck: included files
