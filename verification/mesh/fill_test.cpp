@@ -137,7 +137,7 @@ TEST(fill, lines_that_no_cap_fits_are_refused) {
     turns.col(i) << std::cos(0.8 * std::numbers::pi * i), std::sin(0.8 * std::numbers::pi * i), 0.0;
   EXPECT_EQ(fault(turns).substr(0, 14), "crosses itself");
   EXPECT_EQ(fault(Line(3, 2)), "has 2 corners, allowed: 3 or more");
-  EXPECT_EQ(fault(Line::Random(3, mesh::kMostCorners + 1)), "has 1001 corners, allowed: 1000");
+  EXPECT_EQ(fault(Line::Random(3, mesh::kMostCorners + 1)), "has 1001 corners, allowed: at most 1000");
 }
 
 // A saddle of half-height h on a circle of radius 1: its corners are h off their plane.

@@ -88,7 +88,7 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
                    "close all holes, or the one of this number or node set in the report, by a null panel; "
                    "may be repeated")
       ->allow_extra_args(false)
-      ->option_text("NAME[=HOLE]");
+      ->option_text("NAME[=HOLE|SET]");
   convert->add_option("--cap-length", arguments.cap_length, "longest hole to close [m]; default: 1.5")
       ->check(positive);
   convert->add_flag("--report", arguments.report,

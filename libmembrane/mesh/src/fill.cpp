@@ -157,7 +157,8 @@ Filling fill(const Eigen::Ref<const Eigen::Matrix3Xd>& corners,
     return {{}, "has " + std::to_string(corners.cols()) + " corners, allowed: 3 or more"};
   if (corners.cols() > kMostCorners)
     return {{},
-            "has " + std::to_string(corners.cols()) + " corners, allowed: " + std::to_string(kMostCorners)};
+            "has " + std::to_string(corners.cols()) + " corners, allowed: at most " +
+                std::to_string(kMostCorners)};
   const LoopPlane plane = loop_plane(corners);
   if (std::string fault = plane_fault(plane); !fault.empty()) return {{}, std::move(fault)};
   FlatLoop loop(corners, plane);

@@ -138,7 +138,7 @@ PackSide thin_side(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes, const std::v
 void Folding::press(double gap) {
   if (!(gap > 0.0 && std::isfinite(gap)))
     throw std::invalid_argument("gap: needs a finite number above 0 [m]");
-  // A pack is thin. A wider gap would be told as one of the next fold's.
+  // A pack is thin. A wider gap would be found as one of the next fold's.
   double extent = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
     if (axis != side_.axis)

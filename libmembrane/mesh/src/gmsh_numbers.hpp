@@ -17,14 +17,14 @@ class GmshNumbers {
 
   explicit GmshNumbers(TokenReader& words) : words_(words) {}
 
-  /// From here on numbers may be bytes; the next one is an int of value 1 and tells their order.
+  /// From here on numbers may be bytes; the next one is an int of value 1 and says their order.
   void set_binary() {
     words_.next_line();
     is_binary_ = true;
     const std::string_view one = words_.bytes(4, "the number 1");
     if (number_at<std::int32_t>(one, ByteOrder::little) != 1) order_ = ByteOrder::big;
     if (number_at<std::int32_t>(one, order_) != 1)
-      words_.fail({}, "the number 1, which tells the order of bytes, is missing");
+      words_.fail({}, "the number 1, which says the order of bytes, is missing");
   }
   bool is_binary() const { return is_binary_; }
 

@@ -102,7 +102,7 @@ struct MeshArguments {
   bool outward = false;                          // turn elements outward
   bool report = false;                           // an open or inside-out surface is not an error
   std::vector<std::string> panels, null_panels;  // panels of that file
-  std::vector<std::string> caps;                 // NAME or NAME=HOLE
+  std::vector<std::string> caps;                 // NAME, NAME=HOLE or NAME=SET
   std::optional<double> cap_length;              // longest hole to close [m]
   std::filesystem::path out;                     // design shape, format by the ending; or empty
   std::filesystem::path initial;                 // initial shape, or empty
