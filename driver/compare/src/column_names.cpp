@@ -65,4 +65,9 @@ void check_bands(const History& reference) {
   }
 }
 
+PressureZero zero_of(const std::string& name) {
+  if (name.find("overpressure") != name.npos) return PressureZero::ambient;
+  return name.find("stress") != name.npos ? PressureZero::none : PressureZero::vacuum;
+}
+
 }  // namespace driver

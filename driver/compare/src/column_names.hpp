@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/named_units.hpp"
 #include "compare/compare.hpp"
 
 namespace driver {
@@ -19,5 +20,8 @@ bool states_band(const History& reference);
 
 /// Throws CaseError for a band without its column and for one below 0.
 void check_bands(const History& reference);
+
+/// What a column of pressures counts from, by its name: a stress from nothing.
+PressureZero zero_of(const std::string& name);
 
 }  // namespace driver

@@ -12,6 +12,7 @@
 #include "base/case_reader.hpp"
 #include "base/csv_table.hpp"
 #include "base/named_units.hpp"
+#include "column_names.hpp"
 #include "ensemble_history.hpp"
 #include "lsdyna_text.hpp"
 #include "results/unit_endings.hpp"
@@ -38,12 +39,6 @@ struct Map {
   std::vector<MappedColumn> columns;  // the time first
 };
 
-// What a column of this name counts from.
-PressureZero zero_of_column(const std::string& name) {
-  if (name.find("overpressure") != name.npos) return PressureZero::ambient;
-  return name.find("stress") != name.npos ? PressureZero::none : PressureZero::vacuum;
-}
-
 MappedColumn read_column(TableReader&& table, const std::string& name) {
   MappedColumn column;
   column.name = name.empty() ? table.at("name").text() : name;
@@ -58,8 +53,7 @@ MappedColumn read_column(TableReader&& table, const std::string& name) {
   column.offset = table.at("offset").number(any_number, 0.0);
   if (table.has("unit"))
     table.located("unit", [&] {
-      column.unit =
-          unit_named(table.at("unit").text(), unit_by_ending(column.name), zero_of_column(column.name));
+      column.unit = unit_named(table.at("unit").text(), unit_by_ending(column.name), zero_of(column.name));
     });
   table.finish();
   return column;
@@ -211,11 +205,10 @@ History in_si_units(CsvTable& table, const std::vector<MappedColumn>& columns) {
       if (values[i] < 0.0 && columns[c].name.ends_with(standard_error_suffix))
         table.fail(c, i, fmt::format("{}: is not a standard error of 0 or more", values[i]));
     }
-    if (c == 0) {
+    if (c == 0)
       history.time = std::move(values);
-    } else {
+    else
       history.columns.emplace_back(columns[c].name, std::move(values));
-    }
   }
   return history;
 }
