@@ -41,7 +41,8 @@ void close_holes_of(mesh::Mesh& mesh, const MeshArguments& arguments, std::vecto
     for (const auto& line : close_holes(mesh, caps, arguments.cap_length.value_or(longest_hole)))
       fmt::print("{}\n", line);
   } catch (const std::invalid_argument& error) {
-    throw CaseError(fmt::format("--cap: {}\n{}", error.what(), list_of_holes(mesh)));
+    const std::string list = list_of_holes(mesh);
+    throw CaseError(fmt::format("--cap: {}{}{}", error.what(), list.empty() ? "" : "\n", list));
   }
   for (const auto& cap : caps)
     if (std::ranges::find(null_panels, cap.panel) == null_panels.end()) null_panels.push_back(cap.panel);

@@ -21,8 +21,9 @@ struct Cap {
   std::string set = {};     // instead, the holes whose nodes are all in this node set of the file
 };
 
-/// Caps that close all holes: each has the name of the only node set with all nodes of the hole or, if there
-/// is none or the name is in use, "cap_" and its number. Throws std::invalid_argument if there is no hole.
+/// Caps that close all holes: each has the name of the smallest node set with all nodes of the hole or, if
+/// there is none, it has another hole too or the name is in use, "cap_" and its number. Throws
+/// std::invalid_argument if there is no hole.
 std::vector<Cap> caps_of_all(const mesh::Mesh& mesh);
 
 /// A line for each of the twenty longest holes, "hole 1: 12 nodes, ...", with their node sets, or one that
@@ -30,8 +31,8 @@ std::vector<Cap> caps_of_all(const mesh::Mesh& mesh);
 std::string list_of_holes(const mesh::Mesh& mesh);
 
 /// Closes holes by mesh::close_hole. Returns a line for each, "panel vent closes hole 1: ...". Throws
-/// std::invalid_argument for a hole or set that does not exist or was closed before, a panel of the mesh's
-/// own, and as mesh::close_hole.
+/// std::invalid_argument for a hole or set that does not exist or was closed before, a cap without a hole, a
+/// panel of the mesh's own, and as mesh::close_hole.
 std::vector<std::string> close_holes(mesh::Mesh& mesh, const std::vector<Cap>& caps, double longest);
 
 }  // namespace driver

@@ -38,9 +38,9 @@ void warn_of_neglected(const mesh::Mesh& mesh, const std::filesystem::path& file
 }
 
 // What a case or `gasjet mesh convert` can do about it.
-std::string remedy(const mesh::SurfaceReport& report, Closed closed) {
+std::string remedy(const mesh::SurfaceReport& report, const Needs& needs) {
   std::vector<std::string> remedies;
-  if (closed != Closed::free && !report.boundary_edges.empty())
+  if (needs.closed && !report.boundary_edges.empty())
     remedies.emplace_back(
         "--merge DISTANCE joins nodes that nearly meet; --cap NAME closes holes, as cap = true does in a "
         "case");
@@ -63,20 +63,27 @@ void require_not_mirrored(const BagMesh& source, const std::filesystem::path& st
                     start.string(), mesh::enclosed_volume(*source.initial, source.mesh.elements), cut));
 }
 
-std::string holes_of(const mesh::Mesh& mesh, Closed closed) {
-  return closed == Closed::free ? "" : list_of_holes(mesh);
+std::string holes_of(const mesh::Mesh& mesh, const Needs& needs) {
+  return !needs.closed ? "" : list_of_holes(mesh);
 }
 
 void require_sound(const BagMesh& source, const std::filesystem::path& file,
-                   const std::filesystem::path& start, Closed closed) {
-  const auto report = surface_report(source.shape(), source.mesh.elements, closed);
+                   const std::filesystem::path& start, const Needs& needs) {
+  const auto report = surface_report(source.shape(), source.mesh.elements, needs);
   if (report.ok()) return;
   require_not_mirrored(source, start, report);
   const std::string left_out = source.collapsed > 0 ? collapsed_text(source) + "; " : "";
   throw CaseError(fmt::format(
       "{}: mesh: is not a {}: {}{}{}", place_of_element(source.mesh, file, report.first_element()),
-      closed == Closed::free ? "sheet" : "closed control volume", left_out,
-      report.describe(source.mesh.line) + holes_of(source.mesh, closed), remedy(report, closed)));
+      !needs.closed ? "sheet" : "closed control volume", left_out,
+      report.describe(source.mesh.line) + holes_of(source.mesh, needs), remedy(report, needs)));
+}
+
+// A shape without holes, such as `gasjet mesh state` writes of a bag whose holes were closed, has the
+// elements of the caps; one with holes is as the file of the design, and gets its caps.
+bool is_state_of_capped(TableReader& table, const mesh::Mesh& shape) {
+  return table.at("cap").flag(false) &&
+         mesh::check_closed_surface(shape.nodes, shape.elements).boundary_edges.empty();
 }
 
 // A null panel for each hole.
@@ -95,33 +102,41 @@ void cap_holes(TableReader& table, BagMesh& source) {
 }  // namespace
 
 mesh::SurfaceReport surface_report(const Eigen::Matrix3Xd& nodes, const Eigen::Matrix3Xi& elements,
-                                   Closed closed) {
+                                   const Needs& needs) {
   auto report = mesh::check_closed_surface(nodes, elements);
-  if (closed == Closed::free) report.boundary_edges.clear();
-  if (closed == Closed::before_folds && report.flat) report.flat = report.inward = false;
+  if (!needs.closed) report.boundary_edges.clear();
+  if (!needs.volume && report.flat) report.flat = report.inward = false;
   return report;
 }
 
-BagMesh mesh_of_files(TableReader& table, const MeshReader& read_mesh, Closed closed, Scene& scene) {
+BagMesh mesh_of_files(TableReader& table, const MeshReader& read_mesh, const Needs& needs, Scene& scene) {
   const double unit = table.at("length_unit").number(positive.in("m"), 1.0);
   const auto file = table.beside_case(table.at("file").text());
   auto start = file;
   BagMesh source{read_mesh_file(table, "file", read_mesh, file, unit), std::nullopt, {}};
   warn_of_neglected(source.mesh, file, scene);
-  if (table.has("initial_file"))
-    table.located("initial_file", [&] {
-      start = table.beside_case(table.at("initial_file").text());
-      const mesh::Mesh shape = read_mesh_file(table, "initial_file", read_mesh, start, unit);
-      require_same_elements(source.mesh, shape);
-      set_initial(source, shape.start_nodes());
-    });
-  else if (source.mesh.start)
+  std::optional<mesh::Mesh> shape;
+  if (table.has("initial_file")) {
+    start = table.beside_case(table.at("initial_file").text());
+    table.located("initial_file",
+                  [&] { shape = read_mesh_file(table, "initial_file", read_mesh, start, unit); });
+  } else if (source.mesh.start) {
     table.located("file", [&] { set_initial(source, *source.mesh.start); });
+  }
   source.mesh.start.reset();
+  const auto take_shape = [&] {
+    table.located("initial_file", [&] {
+      require_same_elements(source.mesh, *shape);
+      set_initial(source, shape->start_nodes());
+    });
+  };
+  const bool is_capped = shape && is_state_of_capped(table, *shape);
+  if (shape && !is_capped) take_shape();
   drop_collapsed(source, file);
   require_areas(source.mesh, file);
   cap_holes(table, source);
-  require_sound(source, file, start, closed);
+  if (is_capped) take_shape();
+  require_sound(source, file, start, needs);
   return source;
 }
 

@@ -9,16 +9,18 @@
 
 namespace driver {
 
-/// Whether the surface encloses a volume. Sheets that lie on each other enclose none before they are folded;
-/// of a sheet alone, an open edge is none of its faults.
-enum class Closed { needed, before_folds, free };
+/// What the surface of a mesh needs. A sheet need not be closed; layers that lie on each other enclose no
+/// volume before they are folded.
+struct Needs {
+  bool closed, volume;
+};
 
-/// Faults of a surface that is to be as `closed` says.
+/// Faults of a surface that needs this.
 mesh::SurfaceReport surface_report(const Eigen::Matrix3Xd& nodes, const Eigen::Matrix3Xi& elements,
-                                   Closed closed);
+                                   const Needs& needs);
 
 /// [membrane.mesh] with `file`. A deck with a stress-free shape beside its nodes has both shapes;
 /// `initial_file` has the shape at the start for every format. Adds warnings to the scene.
-BagMesh mesh_of_files(TableReader& table, const MeshReader& read_mesh, Closed closed, Scene& scene);
+BagMesh mesh_of_files(TableReader& table, const MeshReader& read_mesh, const Needs& needs, Scene& scene);
 
 }  // namespace driver

@@ -14,14 +14,28 @@
 namespace driver {
 namespace {
 
+bool has_all(const mesh::NodeSet& set, const mesh::Hole& hole) {
+  return std::ranges::all_of(hole.nodes,
+                             [&](int node) { return std::ranges::binary_search(set.nodes, node); });
+}
+
 // Names of the node sets that have all nodes of a hole.
 std::vector<std::string> sets_of(const mesh::Hole& hole, const mesh::Mesh& mesh) {
   std::vector<std::string> names;
   for (const mesh::NodeSet& set : mesh.node_sets)
-    if (std::ranges::all_of(hole.nodes,
-                            [&](int node) { return std::ranges::binary_search(set.nodes, node); }))
-      names.push_back(set.name);
+    if (has_all(set, hole)) names.push_back(set.name);
   return names;
+}
+
+// The name of the smallest set with all nodes of a hole, if it has no other hole; else empty.
+std::string own_set(std::size_t hole, const std::vector<mesh::Hole>& holes, const mesh::Mesh& mesh) {
+  const mesh::NodeSet* smallest = nullptr;
+  for (const mesh::NodeSet& set : mesh.node_sets)
+    if (has_all(set, holes[hole]) && (!smallest || set.nodes.size() < smallest->nodes.size()))
+      smallest = &set;
+  if (!smallest) return {};
+  const auto has = [&](const mesh::Hole& one) { return has_all(*smallest, one); };
+  return std::ranges::count_if(holes, has) == 1 ? smallest->name : "";
 }
 
 std::string described(const mesh::Hole& hole, const mesh::Mesh& mesh) {
@@ -80,9 +94,9 @@ std::vector<Cap> caps_of_all(const mesh::Mesh& mesh) {
   std::vector<std::string> used = mesh.panel_names;
   std::vector<Cap> caps;
   for (std::size_t i = 0; i < holes.size(); ++i) {
-    const auto sets = sets_of(holes[i], mesh);
-    const bool is_named = sets.size() == 1 && std::ranges::find(used, sets.front()) == used.end();
-    caps.push_back({is_named ? sets.front() : fmt::format("cap_{}", i + 1), static_cast<int>(i) + 1});
+    const std::string set = own_set(i, holes, mesh);
+    const bool is_named = !set.empty() && std::ranges::find(used, set) == used.end();
+    caps.push_back({is_named ? set : fmt::format("cap_{}", i + 1), static_cast<int>(i) + 1});
     used.push_back(caps.back().panel);
   }
   return caps;
@@ -100,6 +114,7 @@ std::vector<std::string> close_holes(mesh::Mesh& mesh, const std::vector<Cap>& c
     if (std::ranges::find(own, cap.panel) != own.end())
       throw std::invalid_argument(
           fmt::format("the mesh has a panel \"{}\" already; a cap is a panel of its own", cap.panel));
+    const std::size_t before = lines.size();
     for (const std::size_t i : holes_of(cap, holes, mesh)) {
       if (is_closed[i]) {
         if (takes_rest(cap)) continue;
@@ -109,6 +124,9 @@ std::vector<std::string> close_holes(mesh::Mesh& mesh, const std::vector<Cap>& c
       mesh::close_hole(mesh, holes[i], cap.panel, longest);
       lines.push_back(fmt::format("panel {} closes hole {}: {}", cap.panel, i + 1, mesh::describe(holes[i])));
     }
+    if (lines.size() == before)
+      throw std::invalid_argument(
+          fmt::format("the mesh has no hole {}for \"{}\"", holes.empty() ? "" : "left ", cap.panel));
   }
   return lines;
 }

@@ -45,16 +45,16 @@ BagMesh generated_mesh(TableReader& table) {
 }
 
 BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh, std::vector<std::string>& null_panels,
-                      Closed closed, Scene& scene) {
+                      const Needs& needs, Scene& scene) {
   BagMesh source;
   table.located("", [&] {
-    source = table.has("file") ? mesh_of_files(table, read_mesh, closed, scene) : generated_mesh(table);
+    source = table.has("file") ? mesh_of_files(table, read_mesh, needs, scene) : generated_mesh(table);
     for (const auto& cap : source.caps)
       if (std::ranges::find(null_panels, cap) == null_panels.end()) null_panels.push_back(cap);
     const int times = table.at("refine").integer(0, 6, 0);
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
-    const auto report = surface_report(source.shape(), source.mesh.elements, closed);
-    if (closed != Closed::free && !report.ok())
+    const auto report = surface_report(source.shape(), source.mesh.elements, needs);
+    if (needs.closed && !report.ok())
       throw std::invalid_argument("surface is not a closed control volume:\n" + report.describe());
     refine(source, times, null_panels);
     order_nodes(source);
@@ -151,10 +151,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   const auto overpressure = read_overpressure(*table, scene);
   auto null_panels = table->at("null_panels").texts();
   BagMesh source = read_bag_mesh(table->table("mesh"), read_mesh, null_panels,
-                                 overpressure         ? Closed::free
-                                 : table->has("fold") ? Closed::before_folds
-                                                      : Closed::needed,
-                                 scene);
+                                 Needs{!overpressure, !table->has("fold")}, scene);
   warn_of_size(source.mesh, table->has_in_table("mesh", "file"), scene);
   if (source.collapsed > 0) scene.warnings.push_back("membrane.mesh: " + collapsed_text(source));
   membrane::BagDescription bag;
@@ -174,7 +171,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
   const auto folding = read_folds(*table, source.mesh, position, bag);
   if (folding) {
     position = folding->nodes();
-    if (!overpressure && mesh::check_closed_surface(position, source.mesh.elements).flat)
+    if (mesh::check_closed_surface(position, source.mesh.elements).flat)
       table->fail("fold", "leaves the sheets on each other, without a volume; begin with type = \"press\"");
     for (auto& text : tight_straps(bag.straps, position)) scene.warnings.push_back(std::move(text));
   }
