@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 TEST(named_units, are_the_numbers_written_in_si) {
   const auto si = [](const char* name, const char* unit, double number) {
@@ -29,8 +29,8 @@ TEST(named_units, are_the_numbers_written_in_si) {
   // Fixed points of the scales of temperature, and definitions of inch and pound.
   EXPECT_NEAR(si("degF", "K", 32.0), 273.15, 1e-13);
   EXPECT_NEAR(si("°F", "K", 212.0), 373.15, 2e-13);
-  EXPECT_NEAR(si("in2", "m2", 1.0), 0.0254 * 0.0254, eps * 1e-3);
-  EXPECT_NEAR(si("psi", "Pa", 1.0), 0.45359237 * 9.80665 / (0.0254 * 0.0254), 4.0 * eps * 6895.0);
+  EXPECT_NEAR(si("in2", "m2", 1.0), 0.0254 * 0.0254, rounding * 1e-3);
+  EXPECT_NEAR(si("psi", "Pa", 1.0), 0.45359237 * 9.80665 / (0.0254 * 0.0254), 4.0 * rounding * 6895.0);
   const auto pressure = [](const char* name, driver::PressureZero zero) {
     return driver::unit_named(name, "Pa", zero, 100e3).to_si(50.0);
   };

@@ -57,7 +57,6 @@ void print_panels(const BagPart& bag) {
   const Eigen::VectorXd areas = mesh::panel_areas(mesh);
   for (std::size_t i = 0; i < mesh.panel_names.size(); ++i)
     fmt::print("panel {}: {:.5g} m2\n", mesh.panel_names[i], areas(static_cast<Eigen::Index>(i)));
-  for (const auto& line : bag.closed_holes) fmt::print("{}\n", line);
 }
 
 // Ends of the straps on the design shape, as in a case file, and their panels.

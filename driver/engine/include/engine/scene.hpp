@@ -60,10 +60,9 @@ struct BagPart {
   std::vector<int> null_elements;
   /// [Pa] Prescribed over time, held outside of its knots; in a scene without gas. The sheet may be open.
   std::optional<gas::Curve> overpressure;
-  std::vector<double> element_mass;            // [kg] of each element's fabric
-  std::vector<mesh::FoldLine> fold_lines;      // of a folded start
-  std::vector<bool> gathered;                  // [nodes] true in the bends of a folded start; else empty
-  std::vector<std::string> closed_holes = {};  // a line for each hole that mesh.cap closes
+  std::vector<double> element_mass;        // [kg] of each element's fabric
+  std::vector<mesh::FoldLine> fold_lines;  // of a folded start
+  std::vector<bool> gathered;              // [nodes] true in the bends of a folded start; else empty
 };
 
 /// Rigid surface that a jet acts on. Its force is reported; nothing moves.

@@ -191,7 +191,7 @@ void read_bag(TableReader& root, const MeshReader& read_mesh, Scene& scene) {
                               std::move(masses),
                               {},
                               {}});
-    scene.bag->closed_holes = source.closed_holes;
+    for (const auto& hole : source.closed_holes) scene.warnings.push_back("membrane.mesh.cap: " + hole);
     if (folding) {
       scene.bag->fold_lines = folding->lines();
       scene.bag->gathered = folding->gathered();
