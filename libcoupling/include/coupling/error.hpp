@@ -17,8 +17,9 @@ class ContactError : public std::runtime_error {
 /// prevents that.
 class PenetrationError : public ContactError {
  public:
+  /// `element` of the skin, where.
   PenetrationError(const std::string& message, int element) : ContactError(message), element_(element) {}
-  int element() const { return element_; }  // of the skin, where
+  int element() const { return element_; }  // of the skin
 
  private:
   int element_;
