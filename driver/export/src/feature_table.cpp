@@ -279,8 +279,8 @@ const std::vector<Feature>& features_of_curves() {
   return table;
 }
 
-bool is_mapped(std::string_view law) {
-  return law == "saint_venant_kirchhoff" || law == "hencky" || law == "curve";
+bool is_mapped(std::string_view name) {
+  return name == "saint_venant_kirchhoff" || name == "hencky" || name == "curve";
 }
 
 const Feature& feature_of_other_laws() {
