@@ -216,7 +216,9 @@ TEST(mesh_reader, no_damaged_file_crashes) {
     std::string bytes;
   } files[] = {
       {"a.ply", kPly}, {"b.ply", binary_ply(sphere, false)}, {"a.off", kOff}, {"a.stl", binary_stl(sphere)}};
-  for (const auto& [name, bytes] : files) {
+  for (const auto& file : files) {
+    const char* const name = file.name;
+    const std::string& bytes = file.bytes;
     int read = 0, refused = 0;
     const auto attempt = [&](const std::string& text) {
       try {
