@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "base/case_reader.hpp"
 #include "base/result_folder.hpp"
@@ -54,7 +55,7 @@ class HeaderSearch {
   std::optional<char> match(const std::string& line, std::size_t number, std::vector<CsvCell>& row) {
     for (const char separator : separators) {
       split_row(line, separator, row);
-      if (std::ranges::all_of(names_, [&](const auto& name) { return has(row, name); })) return separator;
+      if (has_all_names(row)) return separator;
     }
     if (titles_++ == 0) first_ = line, first_number_ = number;
     return std::nullopt;
@@ -69,8 +70,10 @@ class HeaderSearch {
   }
 
  private:
-  static bool has(const std::vector<CsvCell>& row, const std::string& name) {
-    return std::ranges::find(row, std::string_view(name), &CsvCell::text) != row.end();
+  bool has_all_names(const std::vector<CsvCell>& row) const {
+    std::unordered_set<std::string_view> texts;
+    for (const auto& cell : row) texts.insert(cell.text);
+    return std::ranges::all_of(names_, [&](const auto& name) { return texts.contains(name); });
   }
 
   const std::vector<std::string>& names_;
