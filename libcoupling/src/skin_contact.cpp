@@ -44,12 +44,13 @@ SkinContactState& SkinContactState::operator=(SkinContactState&&) noexcept = def
 SkinContactState::~SkinContactState() = default;
 
 int SkinContactState::limited_nodes() const {
-  return static_cast<int>(run_->memory.node_limits.small().size());
+  return static_cast<int>(run_->memory.limits.small_nodes().size());
 }
 
 double SkinContactState::smallest_limit() const {
   double least = run_->search.parts()->parameters.thickness;
-  for (const int n : run_->memory.node_limits.small()) least = std::min(least, run_->memory.node_limits[n]);
+  const detail::SkinLimits& limits = run_->memory.limits;
+  for (const int n : limits.small_nodes()) least = std::min(least, limits.of_node(n));
   return least;
 }
 
@@ -79,11 +80,11 @@ SkinContactResult SkinContactModel::evaluate(SkinContactState& state, const Node
                    std::to_string(nodes.cols()) + " and " + std::to_string(forces.cols()) + " columns",
                    "one a node, " + std::to_string(count));
   detail::SkinRun& run = *state.run_;
-  run.search.follow(nodes);
+  run.search.follow(nodes, run.memory.limits);
   SkinContactResult result;
   detail::SkinForces(run.search, nodes, run.memory, forces, result).add();
-  run.friction.add(run.search.touches(), *parts_, run.memory.node_limits, run.search.now(),
-                   run.search.before(), forces, result);
+  run.friction.add(run.search.touches(), *parts_, run.memory.limits, run.search.now(), run.search.before(),
+                   forces, result);
   // Sticking adds the same stiffness at right angles; a sliding force follows the depth.
   result.omega_squared *= std::sqrt(1.0 + parameters_.friction * parameters_.friction);
   result.approach = run.search.approach();

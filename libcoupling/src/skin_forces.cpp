@@ -28,26 +28,7 @@ double share_of(const Closest& closest) {
 
 }  // namespace
 
-void Limits::set_from_least() {
-  limit_ = least_;
-  for (std::size_t i = 0; i < limit_.size(); ++i)
-    if (limit_[i] < reach_) small_.push_back(static_cast<int>(i));
-  std::ranges::fill(least_, reach_);
-}
-
-void Limits::raise() {
-  std::erase_if(small_, [&](int i) {
-    const auto k = static_cast<std::size_t>(i);
-    limit_[k] = std::max(limit_[k], least_[k]);
-    least_[k] = reach_;
-    return !(limit_[k] < reach_);
-  });
-}
-
-SkinMemory::SkinMemory(const SkinParts& parts)
-    : node_limits(parts.masses.size(), parts.parameters.thickness),
-      edge_limits(parts.edges.size(), parts.reach_of(true)),
-      stiffness(parts.masses.size(), 0.0) {}
+SkinMemory::SkinMemory(const SkinParts& parts) : limits(parts), stiffness(parts.masses.size(), 0.0) {}
 
 // Adds a repulsion of two points, the weights of which are positive in the first part, along the normal
 // (K.44).
@@ -100,7 +81,7 @@ void SkinForces::add_kinks(const Touch& touch, double stiffness, double limit) {
 void SkinForces::add_node(const Touch& touch) {
   const auto [node, triangle, edges] = touch.pair;
   const Closest& closest = touch.closest;
-  const double limit = memory_.node_limits[node];
+  const double limit = memory_.limits.of_node(node);
   const double stiffness = parts_.parameters.stiffness * parts_.node_weight[static_cast<std::size_t>(node)];
   add_kinks(touch, stiffness, limit);
   const Corners corners = corners_of(parts_, touch.pair);
@@ -149,7 +130,7 @@ struct Angle {
 void SkinForces::add_edges(const Touch& touch) {
   const auto [first, second, edges] = touch.pair;
   const Closest& closest = touch.closest;
-  const double limit = std::min(memory_.edge_limits[first], memory_.edge_limits[second]);
+  const double limit = memory_.limits.of(touch.pair);
   if (!(closest.distance < limit)) return;
   const Corners corners = corners_of(parts_, touch.pair);
   const auto& n = corners.node;
@@ -191,25 +172,10 @@ void SkinForces::add_edges(const Touch& touch) {
 }
 
 void SkinForces::add() {
-  for (const Touch& touch : search_.touches()) {
-    if (!(touch.closest.distance < parts_.reach_of(touch.pair.edges))) continue;
-    if (touch.pair.edges) {
-      const double limit = SkinParts::kEdgeShare * touch.closest.distance;
-      memory_.edge_limits.tell(touch.pair.first, limit);
-      memory_.edge_limits.tell(touch.pair.second, limit);
-    } else {
-      memory_.node_limits.tell(touch.pair.first, touch.closest.distance);
-    }
-  }
-  if (search_.first_level()) {
-    memory_.node_limits.set_from_least();
-    memory_.edge_limits.set_from_least();
-  }
+  for (const Touch& touch : search_.touches()) memory_.limits.tell(touch.pair, touch.closest.distance);
+  if (search_.first_level()) memory_.limits.set_from_told();
   for (const Touch& touch : search_.touches()) touch.pair.edges ? add_edges(touch) : add_node(touch);
-  if (!search_.first_level()) {
-    memory_.node_limits.raise();
-    memory_.edge_limits.raise();
-  }
+  if (!search_.first_level()) memory_.limits.raise();
   for (const int n : memory_.loaded) {
     double& sum = memory_.stiffness[static_cast<std::size_t>(n)];
     result_.omega_squared = std::max(result_.omega_squared, sum / parts_.masses[static_cast<std::size_t>(n)]);

@@ -3,34 +3,15 @@
 #pragma once
 #include <vector>
 
+#include "skin_limits.hpp"
 #include "skin_search.hpp"
 
 namespace coupling::detail {
 
-/// Limit of each node or edge in place of its reach, and those that still have a smaller one (K.45).
-class Limits {
- public:
-  Limits(std::size_t count, double reach) : reach_(reach), limit_(count, reach), least_(count, reach) {}
-  double operator[](int i) const { return limit_[static_cast<std::size_t>(i)]; }
-  /// Tells a distance at this level.
-  void tell(int i, double distance) {
-    double& least = least_[static_cast<std::size_t>(i)];
-    if (distance < least) least = distance;
-  }
-  void set_from_least();                                    // at the first level
-  void raise();                                             // after each other one
-  const std::vector<int>& small() const { return small_; }  // that are below the reach
-
- private:
-  double reach_;
-  std::vector<double> limit_, least_;  // [m]
-  std::vector<int> small_;
-};
-
 /// What a run remembers beside its search.
 struct SkinMemory {
   explicit SkinMemory(const SkinParts& parts);
-  Limits node_limits, edge_limits;
+  SkinLimits limits;
   std::vector<double> stiffness;  // (N) [N/m] 0 between calls
   std::vector<int> loaded;        // nodes with a stiffness
 };

@@ -83,18 +83,18 @@ double SkinFriction::release(const SkinParts& parts) {
   return loss;
 }
 
-void SkinFriction::add(const std::vector<Touch>& touches, const SkinParts& parts, const Limits& limits,
+void SkinFriction::add(const std::vector<Touch>& touches, const SkinParts& parts, const SkinLimits& limits,
                        const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before, NodalForces& forces,
                        SkinContactResult& result) {
   if (now_.empty()) return;
   for (const Touch& touch : touches)
-    if (!touch.pair.edges && touch.closest.distance < limits[touch.pair.first]) choose(touch, parts);
+    if (!touch.pair.edges && touch.closest.distance < limits.of_node(touch.pair.first)) choose(touch, parts);
   for (const int node : held_) {
     const auto n = static_cast<std::size_t>(node);
     for (const std::size_t side : {0u, 1u})
       if (const Touch* touch = std::exchange(closest_[n][side], nullptr))
         now_[n][side] =
-            hold(*touch, limits[node] - touch->closest.distance, parts, now, before, forces, result);
+            hold(*touch, limits.of_node(node) - touch->closest.distance, parts, now, before, forces, result);
   }
   result.friction_loss += release(parts);
   now_.swap(before_);

@@ -19,7 +19,7 @@ class SkinFriction {
  public:
   explicit SkinFriction(const SkinParts& parts);
   /// Adds the friction of one level. `now` and `before` (3 x N) [m] are the nodes of this level and the last.
-  void add(const std::vector<Touch>& touches, const SkinParts& parts, const Limits& limits,
+  void add(const std::vector<Touch>& touches, const SkinParts& parts, const SkinLimits& limits,
            const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before, NodalForces& forces,
            SkinContactResult& result);
 

@@ -19,9 +19,9 @@ void SkinLooks::advance() {
   approach = 0.0;
 }
 
-double SkinLooks::look(const SkinParts& parts, const PartPair& pair, double most, const Nodes& before,
-                       const Nodes& now) {
-  const double reach = parts.reach_of(pair.edges), meet = kMeet * parts.parameters.thickness;
+double SkinLooks::look(const SkinParts& parts, const SkinLimits& limits, const PartPair& pair, double most,
+                       const Nodes& before, const Nodes& now) {
+  const double reach = limits.reach_of(pair), meet = kMeet * parts.parameters.thickness;
   const Corners corners = corners_of(parts, pair);
   const Quad x = positions(corners, now);
   const Closest closest = closest_of(pair.edges, x);
@@ -44,16 +44,18 @@ double SkinLooks::look(const SkinParts& parts, const PartPair& pair, double most
     const double nearest = std::min(kAhead, closest.distance * closing / step.squaredNorm());
     if ((closest.distance * closest.normal + nearest * step).norm() < reach) {
       touch = true;
-      approach = std::max(approach, closing / reach);
+      approach = std::max(approach, closing / parts.reach_of(pair.edges));
     }
   }
   if (touch) touches.push_back({pair, closest, ahead});
   return closest.distance;
 }
 
-void SkinLooks::look_at_all(const SkinParts& parts, const Nodes& before, const Nodes& now) {
+void SkinLooks::look_at_all(const SkinParts& parts, const SkinLimits& limits, const Nodes& before,
+                            const Nodes& now) {
   const auto consider = [&](const PartPair& pair) {
-    if (!parts.neighbours(pair)) look(parts, pair, std::numeric_limits<double>::infinity(), before, now);
+    if (!parts.neighbours(pair))
+      look(parts, limits, pair, std::numeric_limits<double>::infinity(), before, now);
   };
   const auto consider_nodes = [&](int of_nodes, int of_elements) {
     for (const int e : parts.group_elements(of_elements))

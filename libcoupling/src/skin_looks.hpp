@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "skin_limits.hpp"
 #include "skin_pair.hpp"
 
 namespace coupling::detail {
@@ -23,10 +24,10 @@ struct SkinLooks {
   void advance();
   /// Looks at a pair of parts on their way from `before` to `now` (3 x N) [m], at `most` [m] relative to each
   /// other. Returns their distance [m].
-  double look(const SkinParts& parts, const PartPair& pair, double most, const Nodes& before,
-              const Nodes& now);
+  double look(const SkinParts& parts, const SkinLimits& limits, const PartPair& pair, double most,
+              const Nodes& before, const Nodes& now);
   /// Looks at each pair of parts that are no neighbours, in the order of the search.
-  void look_at_all(const SkinParts& parts, const Nodes& before, const Nodes& now);
+  void look_at_all(const SkinParts& parts, const SkinLimits& limits, const Nodes& before, const Nodes& now);
 
   std::vector<Touch> touches;  // of the last level, and those ahead
   double approach = 0.0;       // [-] as in SkinContactResult

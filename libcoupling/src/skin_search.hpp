@@ -22,7 +22,7 @@ namespace coupling::detail {
 struct GroupPair {
   int first, second;
   const std::uint64_t* mask;  // as of PartMasks
-  double wakes;               // [m] paths of the groups at which parts of them may touch
+  double wakes;               // [m] distance of parts, and the paths of both groups until then
 };
 
 /// The search of one run.
@@ -31,7 +31,7 @@ class SkinSearch {
   SkinSearch(std::shared_ptr<const SkinParts> parts, bool every_pair);
 
   /// Goes on to the next level. Throws ContactError.
-  void follow(const Nodes& nodes);
+  void follow(const Nodes& nodes, const SkinLimits& limits);
 
   const std::vector<Touch>& touches() const { return looks_.touches; }  // of the last level
   double approach() const { return looks_.approach; }                   // [-] as in SkinContactResult
@@ -44,7 +44,7 @@ class SkinSearch {
 
  private:
   void pair_groups();
-  double least_distance(const GroupPair& pair);
+  double least_distance(const GroupPair& pair, const SkinLimits& limits);
 
   std::shared_ptr<const SkinParts> parts_;
   bool every_pair_;
