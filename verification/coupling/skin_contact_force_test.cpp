@@ -117,6 +117,8 @@ TEST(SkinContactForce, LayersThatStartCloseStartAtRestAndTheirLimitGrows) {
   EXPECT_EQ(force_at(0.7), 0.0);
   EXPECT_NEAR(force_at(0.6), 0.1, 1e-12);  // the limit is now 0.7 h
   EXPECT_EQ(force_at(1.2), 0.0);
+  EXPECT_NEAR(state.smallest_limit(), 1.25 * 0.7 * kThickness, 1e-15);
+  EXPECT_EQ(force_at(1.2), 0.0);
   EXPECT_EQ(state.limited_nodes(), 0);
   EXPECT_NEAR(force_at(0.9), 0.1, 1e-12);
 }
