@@ -41,7 +41,7 @@ def test_pipes():
     run = started(f"{WARNS} --out unread", stdout=writing, stderr=writing)
     os.close(writing)
     assert run.wait() == 141 and status("unread") == "done"
-    long = "exact tank_fill --times 0:1000:0.001"
+    long = "exact tank_fill --times 0:1000:0.01"
     ended(3, "write failed", redirected(long, ">/dev/full"))
     head = ended(0, "^141$", program("bash", "-c", '"$@" | head -n 1 >/dev/null; echo ${PIPESTATUS[0]}', "-", *line(long)))
     assert head.err == ""

@@ -52,7 +52,7 @@ def test_self_contact_run():
 
 def test_self_contact_of_a_fixed_step():
     write("pressed.toml", *PRESSED[:-2])
-    ok("run pressed.toml --out given --quiet --set time.step=2e-5")
+    ok("run pressed.toml --out given --quiet --set time.step=2e-5 --set scene.end_time=0.02")
     assert 0 < load("given/summary.json")["dt"]["largest_approach"] < 0.3
     expect(3, r"is unstable: the limit is .*self-contact [0-9]+ %", "run pressed.toml --out stiff --quiet --set time.step=2e-5",
            "--set", "membrane.self_contact.stiffness=1e9")
