@@ -20,8 +20,11 @@ constexpr double kGaps[] = {20.0, 2.0, 0.2, -0.1, -0.3};
 
 struct Scene {
   const benchmarks::PassengerState& p = benchmarks::passenger_state(benchmarks::Shape::inflated);
-  coupling::ContactModel model{
-      p.bag.mesh.elements, p.bag.mesh.nodes, p.model.node_mass, kEffectiveMass, {kRadius, kStiffness}};
+  coupling::ContactModel model{p.bag.mesh.elements,
+                               p.bag.mesh.nodes,
+                               p.model.node_mass,
+                               kEffectiveMass,
+                               {coupling::Sphere{kRadius}, kStiffness}};
   coupling::ContactState work = model.make_state();
   membrane::Vectors forces{p.model.node_count}, shifted = p.state.position;
   Eigen::Vector3d centre;
@@ -37,7 +40,7 @@ struct Scene {
   coupling::ContactResult evaluate(bool shift) {
     if (model.stays_clear(work, kShift)) return {};
     const membrane::Vectors& position = shift ? shifted : p.state.position;
-    return model.evaluate(work, position.map(), centre, forces.map());
+    return model.evaluate(work, position.map(), {centre}, forces.map());
   }
 };
 
@@ -79,8 +82,8 @@ void BM_smallest_gap(benchmark::State& run) {
   const Scene scene(1.0);
   coupling::Gap gap;
   for (auto _ : run) {
-    gap = coupling::smallest_gap(scene.p.bag.mesh.elements, scene.p.state.position.map(), scene.centre,
-                                 kRadius);
+    gap = coupling::smallest_gap(scene.p.bag.mesh.elements, scene.p.state.position.map(),
+                                 coupling::Sphere{kRadius}, {scene.centre});
     benchmark::DoNotOptimize(std::as_const(gap));
   }
   run.counters["gap_mm"] = 1e3 * gap.distance;

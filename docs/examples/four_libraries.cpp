@@ -86,12 +86,13 @@ int main() {
   const coupling::PendulumModel pendulum(
       {{0.35, 0.0, 1.31}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0}, 10.9, 2.07, 1.065, 1.31, kRadius, kGravity});
   coupling::PendulumState swing;
-  coupling::require_outside(mesh.elements, start, pendulum.impactor_centre(swing.angle), kRadius);
+  coupling::require_outside(mesh.elements, start, coupling::Sphere{kRadius},
+                            {pendulum.impactor_centre(swing.angle)});
   const double mass = pendulum.effective_mass();
-  const double stiffness =
-      coupling::default_contact_stiffness({1.0, bag.fabric_frequency, kThickness * kDensity, kRadius, mass});
-  const coupling::ContactModel contact(mesh.elements, mesh.nodes, bag.node_mass, mass, {kRadius, stiffness},
-                                       vent);
+  const double stiffness = coupling::default_contact_stiffness(
+      {1.0, bag.fabric_frequency, kThickness * kDensity, coupling::Sphere{kRadius}, mass});
+  const coupling::ContactModel contact(mesh.elements, mesh.nodes, bag.node_mass, mass,
+                                       {coupling::Sphere{kRadius}, stiffness}, vent);
   coupling::ContactState touched = contact.make_state();
 
   membrane::update_skin(bag, skin);  // S1, and later S9: surface, volume, forces of the fabric
@@ -125,7 +126,7 @@ int main() {
     pendulum.require_followed(before * swing.angular_velocity);  // S4
     const Vector3d centre = pendulum.impactor_centre(swing.angle);
     skin.contact_force.map().setZero();
-    const auto hit = contact.evaluate(touched, skin.position.map(), centre, skin.contact_force.map());
+    const auto hit = contact.evaluate(touched, skin.position.map(), {centre}, skin.contact_force.map());
     const double moment = pendulum.gravity_moment(swing.angle) + pendulum.moment(hit.force, centre);
     const double touch =
         contact.full_omega_squared() + hit.omega_squared_sphere + pendulum.omega_squared(hit.force);

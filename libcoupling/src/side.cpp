@@ -9,8 +9,9 @@
 #include <numbers>
 #include <string>
 
+#include "bodies.hpp"
 #include "check.hpp"
-#include "coupling/impactor.hpp"
+#include "distances.hpp"
 
 namespace coupling {
 namespace {
@@ -34,32 +35,6 @@ double half_solid_angle(const Eigen::Matrix3d& u) {
   return elementary::atan2(volume, cosine);
 }
 
-// Squared distance of the origin from the segment a + t (b - a).
-double squared_distance_to_segment(const Vector3d& a, const Vector3d& b) {
-  const Vector3d edge = b - a;
-  const double length2 = edge.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp(-a.dot(edge) / length2, 0.0, 1.0) : 0.0;
-  return (a + t * edge).squaredNorm();
-}
-
-// True if the origin's projection on the plane is strictly inside the triangle with normal n.
-bool foot_inside(const Eigen::Matrix3d& u, const Vector3d& n) {
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d a = u.col(i), b = u.col((i + 1) % 3);
-    if (!(n.dot(a.cross(b)) > 0.0)) return false;
-  }
-  return true;
-}
-
-double distance_from_origin(const Eigen::Matrix3d& u) {
-  const Vector3d n = (u.col(1) - u.col(0)).cross(u.col(2) - u.col(0));
-  if (foot_inside(u, n)) return std::abs(n.dot(u.col(0))) / n.norm();
-  double squared = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i)
-    squared = std::min(squared, squared_distance_to_segment(u.col(i), u.col((i + 1) % 3)));
-  return std::sqrt(squared);
-}
-
 }  // namespace
 
 double winding_number(const Triangles& triangles, const Nodes& nodes, const Vector3d& point) {
@@ -75,42 +50,42 @@ double winding_number(const Triangles& triangles, const Nodes& nodes, const Vect
 double distance_to_triangle(const Vector3d& point, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   Eigen::Matrix3d u;
   u << a - point, b - point, c - point;
-  return distance_from_origin(u);
+  return detail::distance_from_origin(u);
 }
 
-double Sphere::distance_to_triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) const {
-  Eigen::Matrix3d u;
-  u << a, b, c;
-  return distance_from_origin(u) - radius;
-}
-
-Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Vector3d& centre, double radius) {
+Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Impactor& impactor, const Pose& pose) {
   detail::require_nodes("smallest_gap: triangles", triangles, nodes.cols());
-  detail::require_finite("smallest_gap: centre", centre);
-  detail::require_not_negative("smallest_gap: radius", radius);
-  Gap gap{std::numeric_limits<double>::infinity(), -1};
-  for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
-    const Eigen::Matrix3d corners = corners_from(triangles, nodes, e, centre);
-    if (!corners.allFinite())
-      detail::reject("smallest_gap: nodes of element " + std::to_string(e), "not finite", "finite");
-    const double distance = distance_from_origin(corners) - radius;
-    if (distance < gap.distance) gap = {distance, static_cast<int>(e)};
-  }
-  return gap;
+  detail::require_finite("smallest_gap: centre", pose.centre);
+  require_valid(impactor);
+  return std::visit(
+      [&](const auto& shape) {
+        const auto body = detail::place(shape, pose.axes);
+        Gap gap{std::numeric_limits<double>::infinity(), -1};
+        for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
+          const Eigen::Matrix3d corners = corners_from(triangles, nodes, e, pose.centre);
+          if (!corners.allFinite())
+            detail::reject("smallest_gap: nodes of element " + std::to_string(e), "not finite", "finite");
+          const double distance = body.distance_to_triangle(corners);
+          if (distance < gap.distance) gap = {distance, static_cast<int>(e)};
+        }
+        return gap;
+      },
+      impactor);
 }
 
-void require_outside(const Triangles& triangles, const Nodes& nodes, const Vector3d& centre, double radius) {
-  detail::require_finite("pendulum.impactor: centre", centre);
-  const Gap gap = smallest_gap(triangles, nodes, centre, radius);
-  if (gap.distance < -1e-9 * radius)
+void require_outside(const Triangles& triangles, const Nodes& nodes, const Impactor& impactor,
+                     const Pose& pose) {
+  detail::require_finite("pendulum.impactor: centre", pose.centre);
+  const Gap gap = smallest_gap(triangles, nodes, impactor, pose);
+  if (gap.distance < -1e-9 * size_of(impactor))
     detail::reject("pendulum.impactor",
                    "reaches " + detail::text(-gap.distance) + " m into the skin at element " +
                        std::to_string(gap.element),
                    "outside the skin at the start");
-  const double winding = winding_number(triangles, nodes, centre);
+  const double winding = winding_number(triangles, nodes, pose.centre);
   if (std::abs(winding) > 0.5)
     detail::reject("pendulum.impactor",
-                   "a sphere whose centre, " + detail::text(centre) + " m, lies inside the bag",
+                   "a body whose centre, " + detail::text(pose.centre) + " m, lies inside the bag",
                    "outside the bag at the start");
 }
 
@@ -122,7 +97,7 @@ bool path_meets_triangle(const Eigen::Matrix3d& start, const Eigen::Matrix3d& en
   const double largest = motion.colwise().norm().maxCoeff();
   constexpr double least = 1e-6;  // share of the step: with smaller advances rounding would stop the time
   for (double t = 0.0;;) {
-    const double distance = distance_from_origin(start + t * motion);
+    const double distance = detail::distance_from_origin(start + t * motion);
     if (!(distance > tolerance)) return true;
     t += std::max(least, distance / largest);
     if (!(t < 1.0)) return false;

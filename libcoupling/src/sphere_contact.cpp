@@ -8,9 +8,10 @@
 #include <memory>
 #include <string>
 
+#include "bodies.hpp"
 #include "check.hpp"
+#include "contact_element.hpp"
 #include "contact_search.hpp"
-#include "sphere_element.hpp"
 
 namespace coupling {
 namespace {
@@ -45,9 +46,9 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
     : triangles_(triangles),
       masses_(masses.begin(), masses.end()),
       effective_mass_(effective_mass),
-      parameters_(parameters),
-      impactor_{parameters.sphere_radius} {
-  detail::require_positive("contact.sphere_radius", parameters.sphere_radius);
+      parameters_(parameters) {
+  require_valid(parameters.impactor);
+  const double size = size_of(parameters.impactor);
   detail::require_positive("contact.stiffness", parameters.stiffness);
   detail::require_not_negative("contact.friction", parameters.friction);
   detail::require_positive("contact.effective_mass", effective_mass);
@@ -63,7 +64,7 @@ ContactModel::ContactModel(const Triangles& triangles, const Nodes& reference, s
     const double area = 0.5 * (b - a).cross(c - a).norm();
     detail::require_positive(field + " area", area);
     const double edge = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const int n = subdivision_of(field, edge, impactor_.size());
+    const int n = subdivision_of(field, edge, size);
     quadrature_.push_back({area / (static_cast<double>(n) * n), n});
   }
   for (const int e : open_elements) {
@@ -108,8 +109,10 @@ bool ContactModel::stays_clear(ContactState& state, double motion, double ahead)
 }
 
 // Updates the state to the new level: a certificate or sweep for the path, then the overlapping elements.
-void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3d& centre) const {
-  const double radius = impactor_.size();
+template <class Body>
+void ContactModel::follow(const Body& body, ContactState& state, const Nodes& nodes, const Pose& pose) const {
+  const Vector3d& centre = pose.centre;
+  const double radius = body.size();
   if (!state.started) detail::forget_gaps(state);
   double motion = state.told;
   if (state.started && !(motion >= 0.0) && !state.kept)
@@ -131,7 +134,7 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
   state.told = ContactState::kNotTold;
   state.shift = centre - state.centre;
   state.centre = centre;
-  detail::Search search{triangles_, *groups_, nodes, impactor_, state};
+  detail::Search<Body> search{triangles_, *groups_, nodes, body, state};
   search.find_near_elements();
   search.settle_gap();
   state.bristles.swap(state.old_bristles);
@@ -142,8 +145,8 @@ void ContactModel::follow(ContactState& state, const Nodes& nodes, const Vector3
 
 // Keeps positions that the next call may need: for its sweep if the motion ahead may be too long for the
 // certificate, and for the skin's motion under bristles.
-void ContactModel::keep(ContactState& state, const Nodes& nodes) const {
-  const double clearance = impactor_.size() + state.gap - state.displacement_bound;
+void ContactModel::keep(double size, ContactState& state, const Nodes& nodes) const {
+  const double clearance = size + state.gap - state.displacement_bound;
   const bool certain = state.ahead > 0.0 && state.ahead < clearance;
   state.expected = state.ahead;
   state.kept = !certain || !state.bristles.empty();
@@ -161,8 +164,9 @@ void ContactModel::aim(int e, const ContactState& state, const Nodes& nodes, det
   grip.element = e;
 }
 
-void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, const Nodes& nodes,
-                               NodalForces& forces, ContactResult& result) const {
+template <class Body>
+void ContactModel::add_element(const Body& body, int e, detail::Grip* grip, ContactState& state,
+                               const Nodes& nodes, NodalForces& forces, ContactResult& result) const {
   const double kappa = parameters_.stiffness;
   const auto corner = triangles_.col(e);
   const Vector3d a = nodes.col(corner[0]) - state.centre, b = nodes.col(corner[1]) - state.centre,
@@ -170,7 +174,7 @@ void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, c
   const auto index = static_cast<std::size_t>(e);
   const detail::Element element{a, b - a, c - a, quadrature_[index].weight, quadrature_[index].subdivision};
   if (grip) aim(e, state, nodes, *grip);
-  const detail::ElementSums sums = detail::integrate(element, impactor_, grip);
+  const detail::ElementSums sums = detail::integrate(element, body, grip);
   if (!(sums.area > 0.0)) return;
   for (int i = 0; i < 3; ++i) {
     const Vector3d force = kappa * sums.force[i];
@@ -187,28 +191,37 @@ void ContactModel::add_element(int e, detail::Grip* grip, ContactState& state, c
   }
 }
 
-ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, const Vector3d& centre,
+template <class Body>
+ContactResult ContactModel::evaluate_body(const Body& body, ContactState& state, const Nodes& nodes,
+                                          const Pose& pose, NodalForces& forces, const Vector3d& turn) const {
+  follow(body, state, nodes, pose);
+  ContactResult result;
+  detail::Grip grip{{}, {}, {}, turn, parameters_.friction, -1, state.old_bristles, 0, state.bristles, 0.0};
+  detail::Grip* const used = parameters_.friction > 0.0 ? &grip : nullptr;
+  for (const int element : state.near) add_element(body, element, used, state, nodes, forces, result);
+  if (used) result.friction_loss = parameters_.stiffness * detail::release_rest(grip);
+  keep(body.size(), state, nodes);
+  if (result.deepest_element < 0) return result;
+  bound_stiffness(state, result);
+  if (result.penetration > 0.5 * body.size())
+    throw PenetrationError("contact: penetration " + detail::text(result.penetration, 3) + " m at element " +
+                               std::to_string(result.deepest_element) + " exceeds half " + Body::kSizeName +
+                               ", " + detail::text(0.5 * body.size(), 3) + " m",
+                           result.deepest_element);
+  return result;
+}
+
+ContactResult ContactModel::evaluate(ContactState& state, const Nodes& nodes, const Pose& pose,
                                      NodalForces forces, const Vector3d& turn) const {
   require_own(state, groups_);
   require_columns("contact.nodes", nodes.cols(), node_count());
   require_columns("contact.forces", forces.cols(), node_count());
   detail::require_finite("contact.turn", turn);
-  follow(state, nodes, centre);
-  ContactResult result;
-  detail::Grip grip{{}, {}, {}, turn, parameters_.friction, -1, state.old_bristles, 0, state.bristles, 0.0};
-  detail::Grip* const used = parameters_.friction > 0.0 ? &grip : nullptr;
-  for (const int element : state.near) add_element(element, used, state, nodes, forces, result);
-  if (used) result.friction_loss = parameters_.stiffness * detail::release_rest(grip);
-  keep(state, nodes);
-  if (result.deepest_element < 0) return result;
-  bound_stiffness(state, result);
-  if (result.penetration > 0.5 * impactor_.size())
-    throw PenetrationError("contact: penetration " + detail::text(result.penetration, 3) + " m at element " +
-                               std::to_string(result.deepest_element) +
-                               " exceeds half the sphere's radius, " +
-                               detail::text(0.5 * impactor_.size(), 3) + " m",
-                           result.deepest_element);
-  return result;
+  return std::visit(
+      [&](const auto& shape) {
+        return evaluate_body(detail::place(shape, pose.axes), state, nodes, pose, forces, turn);
+      },
+      parameters_.impactor);
 }
 
 }  // namespace coupling

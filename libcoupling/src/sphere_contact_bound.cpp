@@ -2,7 +2,6 @@
 // Effect of contact on the stable step: (K.12), (K.13).
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "check.hpp"
 #include "coupling/sphere_contact.hpp"
@@ -60,14 +59,15 @@ double default_contact_stiffness(const StiffnessBudget& budget) {
   detail::require_positive("contact.stiffness_share", budget.share);
   detail::require_positive("contact.other_omega_squared", budget.other_omega_squared);
   detail::require_positive("contact.surface_density", budget.surface_density);
-  detail::require_positive("contact.sphere_radius", budget.sphere_radius);
+  require_valid(budget.impactor);
   detail::require_positive("contact.effective_mass", budget.effective_mass);
   detail::require_not_negative("contact.friction", budget.friction);
   const FrictionFactors factors = friction_factors(budget.friction);
-  // At depth r/2, 3/4 of the great circle touch. The rotation of the force adds less than the last quarter.
-  const double circle = std::numbers::pi * budget.sphere_radius * budget.sphere_radius;
+  // At depth r/2, 3/4 of a sphere's great circle touch. The rotation of the force adds less than the last
+  // quarter.
+  const double section = section_of(budget.impactor);
   return budget.share * budget.other_omega_squared /
-         (factors.skin / budget.surface_density + factors.sphere * circle / budget.effective_mass);
+         (factors.skin / budget.surface_density + factors.sphere * section / budget.effective_mass);
 }
 
 }  // namespace coupling

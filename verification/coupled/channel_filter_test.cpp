@@ -96,13 +96,13 @@ std::vector<double> arrival(double stiffness) {
   Eigen::Matrix3Xd x{{0.0, kSide, kSide, 0.0}, {0.0, 0.0, kSide, kSide}, {0.0, 0.0, 0.0, 0.0}};
   const double sixth = kDensity * kSide * kSide / 6.0;
   const double masses[] = {2.0 * sixth, sixth, 2.0 * sixth, sixth};
-  const coupling::ContactModel contact(triangles, x, masses, 8.41, {radius, stiffness});
+  const coupling::ContactModel contact(triangles, x, masses, 8.41, {coupling::Sphere{radius}, stiffness});
   auto cache = contact.make_state();
   Eigen::RowVector4d speed = Eigen::RowVector4d::Constant(kSpeed);
   std::vector<double> force(40000, 0.0);
   for (std::size_t n = 20000; n < force.size(); ++n) {
     Eigen::Matrix3Xd f = Eigen::Matrix3Xd::Zero(3, 4);
-    force[n] = contact.evaluate(cache, x, {0.5 * kSide, 0.5 * kSide, radius + 1e-5}, f).force.z();
+    force[n] = contact.evaluate(cache, x, {{0.5 * kSide, 0.5 * kSide, radius + 1e-5}}, f).force.z();
     for (int a = 0; a < 4; ++a) speed[a] += kSample * f(2, a) / masses[a];
     x.row(2) += kSample * speed;
   }

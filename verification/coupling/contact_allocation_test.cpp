@@ -21,7 +21,7 @@ TEST(ContactAllocation, evaluate_and_advance_allocate_nothing) {
   int touching = 0;
   for (int n = 0; n < 500; ++n) {
     const Eigen::Vector3d centre(0.2 * std::sin(0.02 * n), 0.0, kRadius * (1.5 + 0.9 * std::sin(0.05 * n)));
-    const auto t = model.evaluate(state, nodes.topRows<3>(), centre, forces.topRows<3>());
+    const auto t = model.evaluate(state, nodes.topRows<3>(), {centre}, forces.topRows<3>());
     touching += t.deepest_element >= 0;
     swing = pendulum.advance(swing, pendulum.moment(t.force, centre), 1e-9, 1e-9);
   }

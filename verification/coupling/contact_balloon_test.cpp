@@ -69,8 +69,9 @@ class Press {
       : mesh_(geodesic_sphere(n)),
         model_(membrane::make_model(describe(mesh_))),
         contact_(mesh_.elements, mesh_.nodes, model_.node_mass, 1e3,
-                 {indenter, coupling::default_contact_stiffness(
-                                {share, model_.fabric_frequency, 0.31, indenter, 1e9})}),
+                 {coupling::Sphere{indenter},
+                  coupling::default_contact_stiffness(
+                      {share, model_.fabric_frequency, 0.31, coupling::Sphere{indenter}, 1e9})}),
         stretch_(closed_form::stretched_sphere(scene(indenter).sphere, kPressure).stretch),
         state_(membrane::make_state(model_, stretch_ * mesh_.nodes, {false, true})) {
     const auto exact = closed_form::pressed_balloon(scene(indenter), kAngle);
@@ -102,7 +103,7 @@ class Press {
       state_.contact_force.map().setZero();
       for (const std::size_t side : {0u, 1u})
         touch_[side] = contact_.evaluate(caches_[side], state_.position.map(),
-                                         {0.0, 0.0, (side == 0 ? 1.0 : -1.0) * height(time)},
+                                         {{0.0, 0.0, (side == 0 ? 1.0 : -1.0) * height(time)}},
                                          state_.contact_force.map());
       const double before = dt, stiffest = std::max(touch_[0].omega_squared(), touch_[1].omega_squared());
       dt = 0.9 *

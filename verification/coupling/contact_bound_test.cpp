@@ -93,7 +93,7 @@ TEST(ContactBound, default_stiffness_keeps_to_its_share_of_the_other_terms) {
   for (const double size : {0.1, 0.5, 3.0})
     for (const double mass : {8.41, 1e-3, 1e-5})
       for (const double friction : {0.0, 0.3}) {
-        const coupling::StiffnessBudget budget{0.7, 2.5e9, 0.31, kRadius, mass, friction};
+        const coupling::StiffnessBudget budget{0.7, 2.5e9, 0.31, coupling::Sphere{kRadius}, mass, friction};
         const double allowed = budget.share * budget.other_omega_squared;
         const auto skin = scenes::plate(size < 1.0 ? 24 : 3, size * kRadius, budget.surface_density);
         const auto model =
@@ -134,18 +134,18 @@ TEST(ContactBound, free_gap_is_measured_when_what_lies_ahead_may_close_it) {
   auto state = model.make_state();
   Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
   const Vector3d centre(0.001, 0.002, 1.5 * kRadius);
-  model.evaluate(state, skin.nodes, centre, forces);
+  model.evaluate(state, skin.nodes, {centre}, forces);
   EXPECT_NEAR(coupling::ContactModel::free_gap(state), 0.5 * kRadius, 1e-8 * kRadius);
   // Motion that is told but does not happen eats the bound up; looking ahead finds the gap where it was.
   ASSERT_TRUE(model.stays_clear(state, 0.2 * kRadius));
   EXPECT_NEAR(coupling::ContactModel::free_gap(state), 0.3 * kRadius, 1e-8 * kRadius);
   EXPECT_TRUE(model.stays_clear(state, 0.0, 0.29 * kRadius));
   ASSERT_FALSE(model.stays_clear(state, 0.0, 0.31 * kRadius));
-  model.evaluate(state, skin.nodes, centre, forces);
+  model.evaluate(state, skin.nodes, {centre}, forces);
   EXPECT_GT(coupling::ContactModel::free_gap(state), 0.31 * kRadius);
   EXPECT_LE(coupling::ContactModel::free_gap(state), 0.5 * kRadius);
   EXPECT_FALSE(model.stays_clear(state, 0.6 * kRadius));
-  model.evaluate(state, skin.nodes, {0.001, 0.002, 0.9 * kRadius}, forces);
+  model.evaluate(state, skin.nodes, {{0.001, 0.002, 0.9 * kRadius}}, forces);
   EXPECT_EQ(coupling::ContactModel::free_gap(state), 0.0);
 }
 
@@ -155,12 +155,11 @@ TEST(ContactBound, bad_budget_names_the_field) {
       {"contact.stiffness_share", &coupling::StiffnessBudget::share},
       {"contact.other_omega_squared", &coupling::StiffnessBudget::other_omega_squared},
       {"contact.surface_density", &coupling::StiffnessBudget::surface_density},
-      {"contact.sphere_radius", &coupling::StiffnessBudget::sphere_radius},
       {"contact.effective_mass", &coupling::StiffnessBudget::effective_mass},
       {"contact.friction", &coupling::StiffnessBudget::friction}};
   for (const auto& [name, field] : fields)
     for (const double value : bad) {
-      coupling::StiffnessBudget budget{0.7, 2.5e9, 0.31, kRadius, 8.41};
+      coupling::StiffnessBudget budget{0.7, 2.5e9, 0.31, coupling::Sphere{kRadius}, 8.41};
       budget.*field = value;
       try {
         coupling::default_contact_stiffness(budget);
@@ -169,6 +168,8 @@ TEST(ContactBound, bad_budget_names_the_field) {
         EXPECT_EQ(std::string(error.what()).rfind(name, 0), 0u) << error.what();
       }
     }
+  const coupling::StiffnessBudget flat{0.7, 2.5e9, 0.31, coupling::Sphere{0.0}, 8.41};
+  EXPECT_THROW(coupling::default_contact_stiffness(flat), std::invalid_argument);
 }
 
 // Nodes and sphere move along z about an equilibrium of contact and constant loads.
@@ -202,7 +203,7 @@ struct NormalMotion {
     auto state = model.make_state();
     for (int n = 0; n < steps && largest < 1e-4; ++n) {
       Matrix3Xd f = load;
-      const auto t = model.evaluate(state, x, c, f);
+      const auto t = model.evaluate(state, x, {c}, f);
       for (Eigen::Index a = 0; a < x.cols(); ++a)
         v[a] += dt / skin.masses[static_cast<std::size_t>(a)] * f(2, a);
       speed += dt / 0.01 * (t.force.z() + sphere_load);

@@ -84,7 +84,7 @@ TEST(ContactForce, forces_are_added_to_touched_nodes_only) {
   const auto t = scenes::touch(model, c.skin.nodes, c.centre);
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Constant(3, c.skin.nodes.cols(), 7.0);
   auto state = model.make_state();
-  model.evaluate(state, c.skin.nodes, c.centre, forces);
+  model.evaluate(state, c.skin.nodes, {c.centre}, forces);
   int untouched = 0;
   for (Eigen::Index a = 0; a < forces.cols(); ++a) {
     untouched += t.forces.col(a).isZero();
@@ -102,7 +102,7 @@ TEST(ContactForce, padded_views_give_the_same_bits) {
     nodes.topRows<3>() = c.skin.nodes;
     Eigen::Matrix4Xd forces = Eigen::Matrix4Xd::Zero(4, c.skin.nodes.cols());
     auto state = model.make_state();
-    const auto result = model.evaluate(state, nodes.topRows<3>(), c.centre, forces.topRows<3>());
+    const auto result = model.evaluate(state, nodes.topRows<3>(), {c.centre}, forces.topRows<3>());
     EXPECT_EQ(result.energy, t.result.energy);
     EXPECT_EQ(Eigen::Matrix3Xd(forces.topRows<3>()), t.forces);
   }
@@ -121,7 +121,7 @@ TEST(ContactForce, carried_state_gives_the_same_bits) {
                           kRadius * (1.5 + 0.9 * std::sin(2.9 * s)));
     forces.setZero();
     const int looks = state.looks;
-    const auto result = model.evaluate(state, skin.nodes, centre, forces);
+    const auto result = model.evaluate(state, skin.nodes, {centre}, forces);
     if (n > 0 && result.deepest_element < 0) idle_looks += state.looks - looks;
     const auto t = scenes::touch(model, skin.nodes, centre);
     touching += result.deepest_element >= 0;

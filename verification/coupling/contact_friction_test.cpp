@@ -38,7 +38,7 @@ struct Slider {
   void move(const Vector3d& shift, const Vector3d& turn = Vector3d::Zero()) {
     skin.nodes.colwise() += shift;
     forces.setZero(3, skin.nodes.cols());
-    touch = model.evaluate(state, skin.nodes, centre, forces, turn);
+    touch = model.evaluate(state, skin.nodes, {centre}, forces, turn);
   }
 };
 
@@ -180,7 +180,7 @@ TEST(ContactFriction, bound_covers_the_skewed_stiffness) {
         coupling::ContactState work = state;
         Matrix3Xd x = s.skin.nodes, f = Matrix3Xd::Zero(3, x.cols());
         x(k) += h;
-        s.model.evaluate(work, x, s.centre, f);
+        s.model.evaluate(work, x, {s.centre}, f);
         return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(f.data(), size));
       };
       const double h = 1e-9;

@@ -28,7 +28,7 @@ struct Path {
   explicit Path(const scenes::Skin& s) : skin(s), model(scenes::contact(s, kRadius, kStiffness)) {}
   std::string go(const Vector3d& centre) {
     try {
-      model.evaluate(state, skin.nodes, centre, forces);
+      model.evaluate(state, skin.nodes, {centre}, forces);
     } catch (const coupling::ContactError& error) {
       return error.what();
     }
@@ -171,10 +171,10 @@ TEST(ContactGuard, bad_input_names_the_field) {
   struct Input {
     scenes::Skin skin = scenes::plate(2, kRadius);
     double mass = 8.41;
-    coupling::ContactParameters parameters{kRadius, kStiffness};
+    coupling::ContactParameters parameters{coupling::Sphere{kRadius}, kStiffness};
   };
   const std::vector<std::pair<const char*, std::function<void(Input&)>>> faults = {
-      {"contact.sphere_radius", [](Input& i) { i.parameters.sphere_radius = 0.0; }},
+      {"impactor.radius", [](Input& i) { i.parameters.impactor = coupling::Sphere{0.0}; }},
       {"contact.stiffness", [](Input& i) { i.parameters.stiffness = std::nan(""); }},
       {"contact.effective_mass", [](Input& i) { i.mass = -1.0; }},
       {"contact.masses", [](Input& i) { i.skin.masses.pop_back(); }},
@@ -182,7 +182,7 @@ TEST(ContactGuard, bad_input_names_the_field) {
       {"contact.triangles[1]", [](Input& i) { i.skin.triangles(2, 1) = 9; }},
       {"contact.triangles[1]", [](Input& i) { i.skin.triangles(2, 1) = -1; }},
       {"contact: skin element 0 area", [](Input& i) { i.skin.nodes.col(4) = i.skin.nodes.col(0); }},
-      {"contact: skin element 0", [](Input& i) { i.parameters.sphere_radius = 1e-4; }}};
+      {"contact: skin element 0", [](Input& i) { i.parameters.impactor = coupling::Sphere{1e-4}; }}};
   for (const auto& [field, fault] : faults) {
     Input i;
     fault(i);
@@ -220,7 +220,7 @@ TEST(ContactGuard, state_of_another_model_is_refused) {
   Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
   const auto answers = [&](coupling::ContactState state) {
     return std::pair(refusal([&] {
-                       model.evaluate(state, skin.nodes, {0.0, 0.0, 0.9 * kRadius}, forces);
+                       model.evaluate(state, skin.nodes, {{0.0, 0.0, 0.9 * kRadius}}, forces);
                      }),
                      refusal([&] { model.stays_clear(state, 0.0); }));
   };

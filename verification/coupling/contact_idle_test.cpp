@@ -41,7 +41,8 @@ Counts wander(double size, double share, int seed) {
     last_centre = centre;
     const bool touches = scenes::touch(model, nodes, centre).result.deepest_element >= 0;
     counts.touching += touches;
-    const bool far = coupling::smallest_gap(flat.triangles, nodes, centre, kRadius).distance > kRadius;
+    const bool far =
+        coupling::smallest_gap(flat.triangles, nodes, coupling::Sphere{kRadius}, {centre}).distance > kRadius;
     counts.far += far;
     if (model.stays_clear(state, share * motion)) {
       ++counts.skipped;
@@ -49,7 +50,7 @@ Counts wander(double size, double share, int seed) {
       continue;
     }
     counts.needless += far;
-    const auto result = model.evaluate(state, nodes, centre, forces.setZero());
+    const auto result = model.evaluate(state, nodes, {centre}, forces.setZero());
     const auto fresh = scenes::touch(model, nodes, centre);
     EXPECT_EQ(result.energy, fresh.result.energy) << n;
     EXPECT_EQ(forces, fresh.forces) << n;
@@ -89,14 +90,15 @@ TEST(ContactIdle, levels_told_their_motion_keep_their_bits) {
         const Vector3d centre(0.1 * std::sin(s), 0.1 * std::cos(0.7 * s), height(s));
         const auto fresh = scenes::touch(model, nodes, centre);
         touching += fresh.result.deepest_element >= 0;
-        const double gap = coupling::smallest_gap(flat.triangles, nodes, centre, kRadius).distance;
+        const double gap =
+            coupling::smallest_gap(flat.triangles, nodes, coupling::Sphere{kRadius}, {centre}).distance;
         idle += n > 0 && gap > ahead;
         if (model.stays_clear(state, step * speed, ahead)) {
           EXPECT_GT(gap, ahead) << n;
           continue;
         }
         const int looks = state.looks;
-        const auto result = model.evaluate(state, nodes, centre, forces.setZero());
+        const auto result = model.evaluate(state, nodes, {centre}, forces.setZero());
         if (n > 0 && gap > ahead) idle_looks += state.looks - looks;
         kept += state.kept;
         free += coupling::ContactModel::free_gap(state) > ahead;
@@ -130,7 +132,7 @@ TEST(ContactIdle, motion_far_beyond_what_was_told_is_refused) {
   Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
   const auto go = [&](double height, double motion, double ahead) {
     if (!model.stays_clear(state, motion, ahead))
-      model.evaluate(state, skin.nodes, {0.001, 0.002, height}, forces.setZero());
+      model.evaluate(state, skin.nodes, {{0.001, 0.002, height}}, forces.setZero());
   };
   go(1.2 * kRadius, 0.0, 0.3 * kRadius);
   EXPECT_FALSE(state.kept);
@@ -154,11 +156,11 @@ TEST(ContactIdle, level_without_a_known_motion_is_refused) {
   Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
   const Eigen::Vector3d centre(0.0, 0.0, 1.2 * kRadius);
   EXPECT_FALSE(model.stays_clear(state, 0.0, 0.3 * kRadius));
-  model.evaluate(state, skin.nodes, centre, forces);
+  model.evaluate(state, skin.nodes, {centre}, forces);
   ASSERT_FALSE(state.kept);
-  EXPECT_THROW(model.evaluate(state, skin.nodes, centre, forces), std::invalid_argument);
+  EXPECT_THROW(model.evaluate(state, skin.nodes, {centre}, forces), std::invalid_argument);
   EXPECT_FALSE(model.stays_clear(state, std::nan(""), 0.3 * kRadius));
-  EXPECT_THROW(model.evaluate(state, skin.nodes, centre, forces), coupling::ContactError);
+  EXPECT_THROW(model.evaluate(state, skin.nodes, {centre}, forces), coupling::ContactError);
 }
 
 // A corner that is no number is refused where it is looked at.
@@ -167,10 +169,11 @@ TEST(ContactIdle, corner_that_is_no_number_is_refused_where_it_is_looked_at) {
   const auto model = scenes::contact(skin, kRadius, kStiffness);
   auto state = model.make_state();
   Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
-  model.evaluate(state, skin.nodes, {0.0, 0.0, 1.1 * kRadius}, forces);
+  model.evaluate(state, skin.nodes, {{0.0, 0.0, 1.1 * kRadius}}, forces);
   skin.nodes(1, 24) = std::nan("");  // under the sphere
   EXPECT_FALSE(model.stays_clear(state, 0.2 * kRadius, 0.1 * kRadius));
-  EXPECT_THROW(model.evaluate(state, skin.nodes, {0.0, 0.0, 1.1 * kRadius}, forces), coupling::ContactError);
+  EXPECT_THROW(model.evaluate(state, skin.nodes, {{0.0, 0.0, 1.1 * kRadius}}, forces),
+               coupling::ContactError);
 }
 
 TEST(ContactIdle, first_level_and_motion_that_is_no_number_are_never_clear) {
@@ -179,7 +182,7 @@ TEST(ContactIdle, first_level_and_motion_that_is_no_number_are_never_clear) {
   auto state = model.make_state();
   EXPECT_FALSE(model.stays_clear(state, 0.0));
   Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
-  model.evaluate(state, skin.nodes, {0.0, 0.0, 10.0 * kRadius}, forces);
+  model.evaluate(state, skin.nodes, {{0.0, 0.0, 10.0 * kRadius}}, forces);
   EXPECT_TRUE(model.stays_clear(state, 0.0));
   EXPECT_FALSE(model.stays_clear(state, std::nan("")));
   EXPECT_FALSE(model.stays_clear(state, 9.0 * kRadius));  // the gap
@@ -193,10 +196,10 @@ TEST(ContactIdle, jump_after_skipped_levels_is_found) {
   const auto model = scenes::contact(skin, kRadius, kStiffness);
   auto state = model.make_state();
   Matrix3Xd forces = Matrix3Xd::Zero(3, skin.nodes.cols());
-  model.evaluate(state, skin.nodes, {0.001, 0.002, 5.0 * kRadius}, forces);
+  model.evaluate(state, skin.nodes, {{0.001, 0.002, 5.0 * kRadius}}, forces);
   EXPECT_TRUE(model.stays_clear(state, kRadius));
   EXPECT_FALSE(model.stays_clear(state, 8.0 * kRadius));
-  EXPECT_THROW(model.evaluate(state, skin.nodes, {0.003, 0.001, -4.0 * kRadius}, forces),
+  EXPECT_THROW(model.evaluate(state, skin.nodes, {{0.003, 0.001, -4.0 * kRadius}}, forces),
                coupling::ContactError);
 }
 
@@ -217,11 +220,12 @@ TEST(ContactIdle, any_element_is_found_that_meets_the_sphere) {
     const auto model = scenes::contact(skin, kRadius, kStiffness);
     const Vector3d centre =
         skin.nodes.col(n % 3) + (1.0 + 0.5 * uniform(generator)) * kRadius * any(1.0).normalized();
-    const double gap = coupling::smallest_gap(skin.triangles, skin.nodes, centre, kRadius).distance;
+    const double gap =
+        coupling::smallest_gap(skin.triangles, skin.nodes, coupling::Sphere{kRadius}, {centre}).distance;
     if (gap < -0.4 * kRadius) continue;  // too deep is refused
     auto state = model.make_state();
     Matrix3Xd forces = Matrix3Xd::Zero(3, 3);
-    model.evaluate(state, skin.nodes, centre, forces);
+    model.evaluate(state, skin.nodes, {centre}, forces);
     EXPECT_EQ(!state.near.empty(), gap < 1e-9 * kRadius) << n << ": " << gap;
     EXPECT_LE(coupling::ContactModel::free_gap(state), std::max(0.0, gap)) << n;
     (gap < 0.0 ? met : clear) += 1;

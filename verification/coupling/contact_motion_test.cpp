@@ -72,7 +72,7 @@ TEST(ContactMotion, momenta_are_conserved_to_round_off) {
   for (int n = 0; n < 2000; ++n) {
     const double dt = 2e-5 * (1.0 + 0.5 * std::sin(0.1 * n)), tau = 0.5 * (before + dt);
     Matrix3Xd f = Matrix3Xd::Zero(3, s.velocity.cols());
-    const auto contact = model.evaluate(state, s.skin.nodes, centre, f);
+    const auto contact = model.evaluate(state, s.skin.nodes, {centre}, f);
     s.velocity = s.kicked(f, tau);
     velocity += tau / mass * contact.force;
     s.skin.nodes += dt * s.velocity;
@@ -125,7 +125,7 @@ Books bounce(double duration, Step step_size) {
     const double dt = last ? 0.0 : step_size(n), tau = 0.5 * (before + dt);
     Matrix3Xd f = Matrix3Xd::Zero(3, s.velocity.cols());
     const Vector3d centre = pendulum.impactor_centre(swing.angle);
-    const auto contact = model.evaluate(state, s.skin.nodes, centre, f);
+    const auto contact = model.evaluate(state, s.skin.nodes, {centre}, f);
     books.penetration = std::max(books.penetration, contact.penetration);
     s.add_springs(f);
     const double moment = pendulum.moment(contact.force, centre) + pendulum.gravity_moment(swing.angle);

@@ -20,7 +20,7 @@ struct OpenPlate {
       : open(is_open ? static_cast<std::size_t>(skin.triangles.cols()) : 0), model(build()) {}
   coupling::ContactModel build() {
     std::iota(open.begin(), open.end(), 0);
-    return {skin.triangles, skin.nodes, skin.masses, 8.41, {kRadius, 1e8}, open};
+    return {skin.triangles, skin.nodes, skin.masses, 8.41, {coupling::Sphere{kRadius}, 1e8}, open};
   }
 };
 
@@ -30,7 +30,7 @@ TEST(ContactOpen, overlap_pushes_nothing) {
     auto state = plate.model.make_state();
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, plate.skin.nodes.cols());
     const auto touch =
-        plate.model.evaluate(state, plate.skin.nodes, Vector3d(0.0, 0.0, 0.8 * kRadius), forces);
+        plate.model.evaluate(state, plate.skin.nodes, {Vector3d(0.0, 0.0, 0.8 * kRadius)}, forces);
     EXPECT_EQ(touch.force.norm() == 0.0 && forces.norm() == 0.0 && touch.energy == 0.0, is_open);
   }
 }
@@ -39,9 +39,9 @@ TEST(ContactOpen, centre_cannot_cross) {
   const OpenPlate plate(true);
   auto state = plate.model.make_state();
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, plate.skin.nodes.cols());
-  plate.model.evaluate(state, plate.skin.nodes, Vector3d(0.001, 0.002, 0.3 * kRadius), forces);
+  plate.model.evaluate(state, plate.skin.nodes, {Vector3d(0.001, 0.002, 0.3 * kRadius)}, forces);
   try {
-    plate.model.evaluate(state, plate.skin.nodes, Vector3d(0.001, 0.002, -0.3 * kRadius), forces);
+    plate.model.evaluate(state, plate.skin.nodes, {Vector3d(0.001, 0.002, -0.3 * kRadius)}, forces);
     ADD_FAILURE() << "crossed unseen";
   } catch (const coupling::ContactError& error) {
     EXPECT_NE(std::string(error.what()).find("crossed the skin"), std::string::npos) << error.what();
@@ -51,7 +51,8 @@ TEST(ContactOpen, centre_cannot_cross) {
 TEST(ContactOpen, element_number_is_checked) {
   const scenes::Skin skin = scenes::plate(2, kRadius);
   const std::vector<int> bad{static_cast<int>(skin.triangles.cols())};
-  EXPECT_THROW(coupling::ContactModel(skin.triangles, skin.nodes, skin.masses, 8.41, {kRadius, 1e8}, bad),
+  EXPECT_THROW(coupling::ContactModel(skin.triangles, skin.nodes, skin.masses, 8.41,
+                                      {coupling::Sphere{kRadius}, 1e8}, bad),
                std::invalid_argument);
 }
 

@@ -51,10 +51,10 @@ Bounce rebound(int rings, double mass, double share, double safety) {
   description.reference /= std::sqrt(1.0 + 2.0 * kStrain);
   const auto model = membrane::make_model(description);
   auto state = membrane::make_state(model, flat, {false, true});
-  const double kappa =
-      coupling::default_contact_stiffness({share, model.fabric_frequency, 0.31, kSphere, mass});
+  const double kappa = coupling::default_contact_stiffness(
+      {share, model.fabric_frequency, 0.31, coupling::Sphere{kSphere}, mass});
   const coupling::ContactModel contact(description.elements, description.reference, model.node_mass, mass,
-                                       {kSphere, kappa});
+                                       {coupling::Sphere{kSphere}, kappa});
   auto cache = contact.make_state();
   membrane::update_skin(model, state);
   const double stiffest = membrane::stiffness_shares(model, state, 0.0, 0.0, kappa / 0.31).total();
@@ -67,7 +67,7 @@ Bounce rebound(int rings, double mass, double share, double safety) {
   for (int n = 0;; ++n) {
     state.contact_force.map().setZero();
     const auto touch =
-        contact.evaluate(cache, state.position.map(), {0.0, 0.0, height}, state.contact_force.map());
+        contact.evaluate(cache, state.position.map(), {{0.0, 0.0, height}}, state.contact_force.map());
     if (touch.area > 0.0) b.duration = n * dt;
     b.depth = std::max(b.depth, kSphere - height);
     const double before = n == 0 ? 0.0 : dt, next = speed + 0.5 * (before + dt) / mass * touch.force.z();

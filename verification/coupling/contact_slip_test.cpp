@@ -43,7 +43,7 @@ class ShallowPlate {
     Matrix3Xd nodes = skin_.nodes;
     nodes.row(0).array() += displacement;
     forces_.setZero(3, nodes.cols());
-    return model_.evaluate(state_, nodes, centre_, forces_);
+    return model_.evaluate(state_, nodes, {centre_}, forces_);
   }
   /// The same in equal steps; returns the loss [J].
   double sweep(double displacement, int steps) {

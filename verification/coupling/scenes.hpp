@@ -60,7 +60,7 @@ inline void shake(Skin& skin, double amplitude, unsigned seed) {
 inline coupling::ContactModel contact(const Skin& skin, double radius, double stiffness,
                                       double effective_mass = 8.41, double friction = 0.0) {
   return coupling::ContactModel(skin.triangles, skin.nodes, skin.masses, effective_mass,
-                                {radius, stiffness, friction});
+                                {coupling::Sphere{radius}, stiffness, friction});
 }
 
 // One evaluation from scratch.
@@ -73,7 +73,7 @@ inline Touch touch(const coupling::ContactModel& model, const Eigen::Matrix3Xd& 
   coupling::ContactState state = model.make_state();
   Touch t;
   t.forces.setZero(3, nodes.cols());
-  t.result = model.evaluate(state, nodes, centre, t.forces);
+  t.result = model.evaluate(state, nodes, {centre}, t.forces);
   return t;
 }
 

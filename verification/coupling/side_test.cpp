@@ -98,7 +98,8 @@ TEST(Side, distance_to_triangle_without_area_is_that_of_its_edges) {
 TEST(Side, smallest_gap_of_a_plate_eq_height_less_radius) {
   const auto skin = scenes::plate(4, 0.1);
   for (const double height : {0.03, 0.05, 0.2}) {
-    const auto gap = coupling::smallest_gap(skin.triangles, skin.nodes, {0.031, 0.012, height}, 0.041);
+    const auto gap =
+        coupling::smallest_gap(skin.triangles, skin.nodes, coupling::Sphere{0.041}, {{0.031, 0.012, height}});
     EXPECT_NEAR(gap.distance, height - 0.041, 1e-16);
     EXPECT_GE(gap.element, 0);
   }
@@ -107,7 +108,7 @@ TEST(Side, smallest_gap_of_a_plate_eq_height_less_radius) {
 std::string refusal(const Vector3d& centre, double radius) {
   const auto skin = scenes::octasphere(3);
   try {
-    coupling::require_outside(skin.triangles, skin.nodes, centre, radius);
+    coupling::require_outside(skin.triangles, skin.nodes, coupling::Sphere{radius}, {centre});
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -181,8 +182,9 @@ TEST(Side, what_is_no_number_and_no_node_is_refused) {
   const auto good = scenes::octasphere(2);
   const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
   const auto all_refuse = [](const auto& skin, const Vector3d& centre, double radius) {
-    EXPECT_THROW(coupling::smallest_gap(skin.triangles, skin.nodes, centre, radius), std::invalid_argument);
-    EXPECT_THROW(coupling::require_outside(skin.triangles, skin.nodes, centre, radius),
+    EXPECT_THROW(coupling::smallest_gap(skin.triangles, skin.nodes, coupling::Sphere{radius}, {centre}),
+                 std::invalid_argument);
+    EXPECT_THROW(coupling::require_outside(skin.triangles, skin.nodes, coupling::Sphere{radius}, {centre}),
                  std::invalid_argument);
   };
   const Vector3d outside(3.0, 0.0, 0.0);

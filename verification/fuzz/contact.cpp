@@ -23,11 +23,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int c = 0; c < 3; ++c) centre(c) = bytes.number();
   for (int c = 0; c < 3; ++c) step(c) = bytes.number(-0.01, 0.01);
   try {
-    const coupling::ContactModel model(triangles, nodes, masses, 1.0, {radius, stiffness, friction});
+    const coupling::ContactModel model(triangles, nodes, masses, 1.0,
+                                       {coupling::Sphere{radius}, stiffness, friction});
     coupling::ContactState state = model.make_state();
     for (int level = 0; level < 3; ++level) {
       forces.setZero();
-      const auto result = model.evaluate(state, nodes, centre + level * step, forces);
+      const auto result = model.evaluate(state, nodes, {centre + level * step}, forces);
       fuzz::require(forces.allFinite() && result.force.allFinite(), "forces are finite");
       const double largest = forces.cwiseAbs().maxCoeff();
       fuzz::require((forces.rowwise().sum() + result.force).cwiseAbs().maxCoeff() <= 1e-9 * (1.0 + largest),

@@ -106,9 +106,9 @@ int gasjet_contact_create(const double reference[], int64_t node_count, const in
     const Points points(reference, node_count, reference_stride, "reference");
     const auto elements = triangles_of(triangles, triangle_count, triangle_stride, node_count);
     needed(mass, "mass");
-    *contact = keep(
-        std::make_shared<Contact>(elements, points, std::span(mass, static_cast<std::size_t>(node_count)),
-                                  effective_mass, coupling::ContactParameters{radius, stiffness, friction}));
+    *contact = keep(std::make_shared<Contact>(
+        elements, points, std::span(mass, static_cast<std::size_t>(node_count)), effective_mass,
+        coupling::ContactParameters{coupling::Sphere{radius}, stiffness, friction}));
   });
 }
 
@@ -123,7 +123,7 @@ int gasjet_contact_evaluate(gasjet_handle contact, const double nodes[], int64_t
     const Eigen::Vector3d turned = turn == nullptr ? Eigen::Vector3d::Zero().eval() : vector_of(turn, "turn");
     const auto out = output(force, force_count, 3 * node_count, "force");
     needed(sums, "sums");
-    const auto result = use->model.evaluate(use->state, points.view(), at,
+    const auto result = use->model.evaluate(use->state, points.view(), {at},
                                             Eigen::Map<Eigen::Matrix3Xd>(out.data(), 3, node_count), turned);
     write_vector(result.force, sums->force);
     write_vector(result.couple, sums->couple);

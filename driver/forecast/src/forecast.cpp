@@ -139,8 +139,10 @@ void add_bag(const Scene& scene, const FullState& full, Groups& groups) {
                     "stiffness of the gas relative to the fabric's, for a breathing sphere",
                     1.5 * full.gamma * full.pressure * radius / stiffness);
   if (scene.contact)
-    groups.add_size("contact_mesh", "K.38", "(element side / diameter of the impactor)^2",
-                    elementary::pow(mean_side(scene) / (2.0 * scene.contact->parameters().sphere_radius), 2));
+    groups.add_size(
+        "contact_mesh", "K.38", "(element side / diameter of the impactor)^2",
+        elementary::pow(mean_side(scene) / (2.0 * coupling::size_of(scene.contact->parameters().impactor)),
+                        2));
 }
 
 double first_step(const Scene& scene, const State& state) {

@@ -1,76 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// The impactor's shape: a signed distance with a normal. Contact uses the shape through this header only.
-// Another shape needs the members of Sphere and replaces it as `Impactor`. It must look the same at every
-// angle about the pendulum's axis, like a cylinder along that axis. CONTRIBUTING.md gives the steps.
+// The shape of a rigid impactor, and where it is. CONTRIBUTING.md gives the steps to add a shape.
 #pragma once
 #include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
-#include <optional>
+#include <variant>
 
 namespace coupling {
 
-/// Position of a point below the surface of an impactor.
-struct Depth {
-  double depth;             // [m] > 0: minus the signed distance
-  double length;            // [m] length of `outward`; 0 where the distance has no gradient
-  Eigen::Vector3d outward;  // [m] along the surface's outward normal
-
-  Eigen::Vector3d normal() const { return outward / length; }  // requires length > 0
-};
-
-/// Range of the parameter of a line.
-struct Stretch {
-  double begin;  // the lower end
-  double end;    // the upper end
-};
-
-/// A sphere about the origin. All points are relative to the impactor's centre.
+/// A sphere.
 struct Sphere {
   double radius = 0.0;  // [m] > 0
-
-  /// Length scale [m]: quadrature points are at most a quarter of it apart, a point may sink in by half of
-  /// it, and the skin must stay a hundredth of it away from the centre.
-  double size() const { return radius; }
-
-  /// Minus the signed distance of the point, if it is inside, with the outward normal.
-  std::optional<Depth> depth(const Eigen::Vector3d& point) const {
-    const double squared = point.squaredNorm();
-    if (!(squared < radius * radius)) return std::nullopt;
-    const double distance = std::sqrt(squared);
-    return Depth{radius - distance, distance, point};
-  }
-
-  /// Signed distance [m] of a triangle, or a lower bound. The closer the bound, the less often the skin is
-  /// searched.
-  double distance_to_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c) const;
-
-  /// Lower bound [m] of the signed distance of every point within `reach` of the point.
-  double distance_to_ball(const Eigen::Vector3d& point, double reach) const {
-    return point.norm() / kRounding - reach - radius;
-  }
-
-  /// Lower bound [m] of the signed distance of every point of a box.
-  double distance_to_box(const Eigen::Array3d& low, const Eigen::Array3d& high) const {
-    return low.max(-high).max(0.0).matrix().norm() / kRounding - radius;
-  }
-
-  /// Stretch on which the line start + t step can be inside, with a margin for rounding; empty if it is
-  /// outside.
-  std::optional<Stretch> inside(const Eigen::Vector3d& start, const Eigen::Vector3d& step) const {
-    const double length2 = step.squaredNorm(), middle = -start.dot(step);
-    const double discriminant = middle * middle - length2 * (start.squaredNorm() - radius * radius);
-    const double slack = 1e-9 * length2 * radius * radius;  // round-off near a grazing line
-    if (discriminant < -slack || !(length2 > 0.0)) return std::nullopt;
-    const double half_chord = std::sqrt(std::max(discriminant, 0.0));
-    return Stretch{(middle - half_chord) / length2, (middle + half_chord) / length2};
-  }
-
-  static constexpr double kRounding = 1.0 + 1e-12;  // margin for points that only round-off puts out of reach
 };
 
-/// The shape that contact is compiled for.
-using Impactor = Sphere;
+/// A shape of an impactor.
+using Impactor = std::variant<Sphere>;
+
+/// Position of a rigid body.
+struct Pose {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m]
+  /// [-] (3 x 3) columns: the body's axes in space, orthonormal and right-handed. A sphere ignores them.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+};
+
+/// Throws std::invalid_argument that names the first member out of range, such as impactor.radius.
+void require_valid(const Impactor& impactor);
+
+/// Length scale [m] of a valid impactor: quadrature points are at most a quarter of it apart, and a point may
+/// sink in by half of it. It is the radius of a sphere.
+double size_of(const Impactor& impactor);
+
+/// Largest distance [m] of a point of the impactor from its centre.
+double reach_of(const Impactor& impactor);
+
+/// Largest area [m2] of a plane section of the impactor: pi r^2 for a sphere.
+double section_of(const Impactor& impactor);
 
 }  // namespace coupling

@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "coupling/impactor.hpp"
 #include "coupling/skin.hpp"
 
 namespace coupling {
@@ -17,23 +18,22 @@ double winding_number(const Triangles& triangles, const Nodes& nodes, const Eige
 double distance_to_triangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                             const Eigen::Vector3d& c);
 
-/// Gap between a sphere and the skin.
+/// Gap between an impactor and the skin.
 struct Gap {
   double distance = 0.0;  // [m] negative if they overlap
   int element = -1;       // nearest element
 };
 
-/// Smallest gap between a sphere and the skin over all elements, exact (not by quadrature). `centre` and
-/// `radius` >= 0 [m]. Throws std::invalid_argument for a node number out of range, for coordinates of its
-/// elements or the centre that are not finite, and for a radius out of range.
-Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& centre,
-                 double radius);
+/// Smallest gap between an impactor and the skin over all elements, exact (not by quadrature). Throws
+/// std::invalid_argument for a node number out of range, for coordinates of its elements or the centre that
+/// are not finite, and for an impactor out of range.
+Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Impactor& impactor, const Pose& pose);
 
-/// Checks that a sphere is outside a closed surface, with an overlap of at most 1e-9 radius, the round-off of
-/// placing it in touch (K.24). If not, throws std::invalid_argument that names pendulum.impactor and the
-/// element. Otherwise throws as smallest_gap does.
-void require_outside(const Triangles& triangles, const Nodes& nodes, const Eigen::Vector3d& centre,
-                     double radius);
+/// Checks that an impactor is outside a closed surface, with an overlap of at most 1e-9 of its size, the
+/// round-off of placing it in touch (K.24). If not, throws std::invalid_argument that names pendulum.impactor
+/// and the element. Otherwise throws as smallest_gap does.
+void require_outside(const Triangles& triangles, const Nodes& nodes, const Impactor& impactor,
+                     const Pose& pose);
 
 /// True if the path of a point comes within `tolerance` [m] > 0 of a moving triangle (K.15). All four points
 /// move on straight lines at constant speed from the start to the end of the step. The columns of `start` and

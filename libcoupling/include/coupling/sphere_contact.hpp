@@ -32,7 +32,7 @@ struct Grip;
 
 /// Parameters of the contact.
 struct ContactParameters {
-  double sphere_radius;  // [m] r > 0
+  Impactor impactor;
   /// [N/m3] kappa > 0: pressure per penetration. The peak force grows with its square root (K.23).
   double stiffness;
   double friction = 0.0;  // [-] mu >= 0
@@ -133,8 +133,8 @@ class ContactModel {
   ///
   /// Throws std::invalid_argument for a state of another model, for wrong sizes, and for a turn that is not
   /// finite; the state is then unchanged. After an exception `forces` must not be used.
-  ContactResult evaluate(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre,
-                         NodalForces forces, const Eigen::Vector3d& turn = Eigen::Vector3d::Zero()) const;
+  ContactResult evaluate(ContactState& state, const Nodes& nodes, const Pose& pose, NodalForces forces,
+                         const Eigen::Vector3d& turn = Eigen::Vector3d::Zero()) const;
 
   /// True if certainly nothing touches at this level, so that `evaluate` need not be called. The answer costs
   /// one comparison. It is `false` at the first level, and when the motion since may exceed the last gap.
@@ -169,10 +169,15 @@ class ContactModel {
   static constexpr int kMaxSubdivision = 512;  // largest n; the constructor throws for more
 
  private:
-  void follow(ContactState& state, const Nodes& nodes, const Eigen::Vector3d& centre) const;
-  void keep(ContactState& state, const Nodes& nodes) const;
+  template <class Body>
+  ContactResult evaluate_body(const Body& body, ContactState& state, const Nodes& nodes, const Pose& pose,
+                              NodalForces& forces, const Eigen::Vector3d& turn) const;
+  template <class Body>
+  void follow(const Body& body, ContactState& state, const Nodes& nodes, const Pose& pose) const;
+  void keep(double size, ContactState& state, const Nodes& nodes) const;
   void aim(int element, const ContactState& state, const Nodes& nodes, detail::Grip& grip) const;
-  void add_element(int element, detail::Grip* grip, ContactState& state, const Nodes& nodes,
+  template <class Body>
+  void add_element(const Body& body, int element, detail::Grip* grip, ContactState& state, const Nodes& nodes,
                    NodalForces& forces, ContactResult& result) const;
   void bound_stiffness(ContactState& state, ContactResult& result) const;
   double full_omega_squared_of_skin() const;
@@ -189,7 +194,6 @@ class ContactModel {
   double effective_mass_;                        // [kg]
   double full_omega_squared_ = 0.0;
   ContactParameters parameters_;
-  Impactor impactor_;
 };
 
 /// Input of default_contact_stiffness. All members are finite and > 0; friction may be 0.
@@ -198,14 +202,15 @@ struct StiffnessBudget {
   double share;
   double other_omega_squared;  // [1/s2] smallest bound of the other terms over the run
   double surface_density;      // [kg/m2] least rho h of the skin
-  double sphere_radius;        // [m]
-  double effective_mass;       // [kg] of the sphere (K.3)
-  double friction = 0.0;       // [-]
+  Impactor impactor;
+  double effective_mass;  // [kg] of the sphere (K.3)
+  double friction = 0.0;  // [-]
 };
 
 /// Largest contact stiffness [N/m3] whose omega^2, (K.12) plus the force's rotation (K.8), stays within that
 /// share (K.13). The bound holds for one layer of skin on the sphere, down to the depth r/2: lumped masses
-/// give sum_q w_q N_a / m_a <= 1/(rho h), and the contact area is at most 3/4 pi r^2. Throws
+/// give sum_q w_q N_a / m_a <= 1/(rho h), and the contact area is at most 3/4 of the
+/// impactor's largest section. Throws
 /// std::invalid_argument for a value out of range.
 double default_contact_stiffness(const StiffnessBudget& budget);
 

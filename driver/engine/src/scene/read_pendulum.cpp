@@ -52,13 +52,13 @@ double contact_stiffness(TableReader& table, double friction, Scene& scene) {
   // Of the other terms the fabric's alone never falls: stretch adds to it, gas and straps come and go.
   return coupling::default_contact_stiffness(
       {*scene.contact_share, scene.bag->model.fabric_frequency, lightest_fabric(scene.bag->model.description),
-       pendulum.parameters().impactor_radius, pendulum.effective_mass(), friction});
+       coupling::Sphere{pendulum.parameters().impactor_radius}, pendulum.effective_mass(), friction});
 }
 
 coupling::ContactParameters read_contact(TableReader& table, Scene& scene) {
   const double friction = table.at("friction").number(contact_friction, 0.0);
   const double stiffness = contact_stiffness(table, friction, scene);
-  return {scene.pendulum->model.parameters().impactor_radius, stiffness, friction};
+  return {coupling::Sphere{scene.pendulum->model.parameters().impactor_radius}, stiffness, friction};
 }
 
 void warn_of_late_moment(Scene& scene) {
@@ -86,8 +86,8 @@ void read_pendulum(TableReader& root, Scene& scene) {
   const auto& model = scene.pendulum->model;
   table->located("", [&] {
     coupling::require_outside(scene.bag->mesh.elements, scene.bag->initial_position,
-                              model.impactor_centre(scene.pendulum->initial.angle),
-                              model.parameters().impactor_radius);
+                              coupling::Sphere{model.parameters().impactor_radius},
+                              {model.impactor_centre(scene.pendulum->initial.angle)});
   });
   if (!contact) root.fail("contact", "is missing: a pendulum in front of a bag needs it (it may be empty)");
   std::optional<coupling::ContactParameters> parameters;

@@ -156,8 +156,9 @@ void note_untouched(const Scene& scene, const State& state, RunOutcome& outcome)
   if (!scene.contact || state.peaks.first_contact >= 0.0 || !sees_all_inflow(scene)) return;
   const auto& model = scene.pendulum->model;
   const auto gap = [&](const Eigen::Matrix3Xd& nodes, double angle) {
-    return coupling::smallest_gap(scene.bag->mesh.elements, nodes, model.impactor_centre(angle),
-                                  model.parameters().impactor_radius)
+    return coupling::smallest_gap(scene.bag->mesh.elements, nodes,
+                                  coupling::Sphere{model.parameters().impactor_radius},
+                                  {model.impactor_centre(angle)})
         .distance;
   };
   outcome.notes.push_back(

@@ -39,7 +39,7 @@ std::string stiffer(const Scene& scene) {
 coupling::ContactResult evaluate(const Scene& scene, State& state, const Eigen::Vector3d& centre,
                                  const Eigen::Vector3d& turn) {
   try {
-    return scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), centre,
+    return scene.contact->evaluate(*state.contact_cache, state.bag->position.map(), {centre},
                                    state.bag->contact_force.map(), turn);
   } catch (const coupling::PenetrationError& error) {
     const bool is_null = std::ranges::binary_search(scene.bag->null_elements, error.element());
