@@ -91,6 +91,7 @@ void add_point(const Element& element, const Body& impactor, int number, double 
     sums.force[i] += shape[i] * push;
     sums.shape[i] += shape[i] * element.weight;
   }
+  if constexpr (Body::kTurns) sums.couple += x.cross(push);
   sums.energy += 0.5 * element.weight * depth * depth;
   sums.area += element.weight;
   if (!grip || !has_normal) return;

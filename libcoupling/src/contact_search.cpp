@@ -54,7 +54,7 @@ void sweep_centre_path(const Eigen::Matrix3Xi& triangles, double radius, const N
       end.col(i) = nodes.col(triangles(i, e)) - next_centre;
     }
     if (!start.allFinite() || !end.allFinite())
-      throw ContactError("contact: a node or the sphere's centre is not finite");
+      throw ContactError("contact: a node or the impactor's centre is not finite");
     if (const double motion = (end - start).colwise().norm().maxCoeff(); !(motion <= most_radii * radius))
       throw ContactError("contact: element " + std::to_string(e) + " moves by " + text(motion) +
                          " m past the sphere's centre within one step, the limit is " +

@@ -113,7 +113,7 @@ template <class Found>
 void Search<Body>::look_at_group(std::size_t g, double wanted, Found&& found) {
   const Bound box = box_bound(nodes, groups.nodes.data() + groups.first_node[g],
                               groups.nodes.data() + groups.first_node[g + 1], state.centre, impactor);
-  if (!std::isfinite(box.gap)) throw ContactError("contact: a node or the sphere's centre is not finite");
+  if (!std::isfinite(box.gap)) throw ContactError("contact: a node or the impactor's centre is not finite");
   state.group_slack[g] = state.displacement_bound + box.gap;
   if (box.gap > std::max(kWorthwhile * box.size, wanted)) return;
   const std::size_t first = g * ElementGroups::kSize,

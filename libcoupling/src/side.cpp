@@ -9,9 +9,9 @@
 #include <numbers>
 #include <string>
 
-#include "bodies.hpp"
 #include "check.hpp"
 #include "distances.hpp"
+#include "placed_body.hpp"
 
 namespace coupling {
 namespace {

@@ -8,10 +8,10 @@
 #include <memory>
 #include <string>
 
-#include "bodies.hpp"
 #include "check.hpp"
 #include "contact_element.hpp"
 #include "contact_search.hpp"
+#include "placed_body.hpp"
 
 namespace coupling {
 namespace {
@@ -30,11 +30,12 @@ void require_own(const ContactState& state, const std::shared_ptr<const ElementG
     detail::reject("contact.state", "not of this model", "from make_state of this model");
 }
 
-int subdivision_of(const std::string& field, double longest_edge, double radius) {
-  const double n = std::ceil(4.0 * longest_edge / radius);
+int subdivision_of(const std::string& field, double longest_edge, double size) {
+  const double n = std::ceil(4.0 * longest_edge / size);
   if (!(n <= ContactModel::kMaxSubdivision))
-    detail::reject(field, detail::text(longest_edge) + " m long",
-                   "at most 128 radii of the sphere long (refine the mesh)");
+    detail::reject(
+        field, detail::text(longest_edge) + " m long",
+        "at most 128 times the impactor's size, " + detail::text(size, 3) + " m, long (refine the mesh)");
   return std::max(1, static_cast<int>(n));
 }
 
@@ -112,28 +113,38 @@ bool ContactModel::stays_clear(ContactState& state, double motion, double ahead)
 template <class Body>
 void ContactModel::follow(const Body& body, ContactState& state, const Nodes& nodes, const Pose& pose) const {
   const Vector3d& centre = pose.centre;
-  const double radius = body.size();
+  const double size = body.size();
   if (!state.started) detail::forget_gaps(state);
   double motion = state.told;
   if (state.started && !(motion >= 0.0) && !state.kept)
     detail::reject("contact motion", "not known",
                    "stays_clear called before each level after it got the motion ahead");
-  if (!(motion >= 0.0)) motion = detail::largest_motion(nodes, state.nodes) + (centre - state.centre).norm();
+  if (!(motion >= 0.0)) {
+    motion = detail::largest_motion(nodes, state.nodes) + (centre - state.centre).norm();
+    // A rotation by phi moves no point by more than 2 sin(phi/2) times its distance from the centre.
+    if constexpr (Body::kTurns) motion += std::sqrt(0.5) * (pose.axes - state.axes).norm() * body.reach();
+  }
   if (!std::isfinite(motion) || !centre.allFinite())
-    throw ContactError("contact: a node or the sphere's centre is not finite");
-  // No skin point was closer to the centre than this, so a smaller motion cannot bring them together.
-  const double clearance = radius + state.gap - state.displacement_bound;
+    throw ContactError("contact: a node or the impactor's centre is not finite");
+  // No skin point was closer to a sphere's centre, or another body's core, than this. So a smaller motion
+  // cannot bring them together.
+  const double clearance = size + state.gap - state.displacement_bound;
   if (state.started && !(motion < clearance)) {
+    if (Body::kTurns)
+      throw ContactError("contact: skin and impactor moved " + detail::text(motion, 3) +
+                         " m past each other within one step, the limit is " + detail::text(clearance, 3) +
+                         " m, " + Body::kSizeName + " plus the gap before: the skin may have crossed it");
     if (!state.kept)
       throw ContactError("contact: skin and sphere moved " + detail::text(motion) +
                          " m within one step, but only " + detail::text(state.expected) +
                          " m were expected: the centre may have crossed the skin");
-    detail::sweep_centre_path(triangles_, radius, nodes, centre, state);
+    detail::sweep_centre_path(triangles_, size, nodes, centre, state);
   }
   state.displacement_bound += kRounding * motion;
   state.told = ContactState::kNotTold;
   state.shift = centre - state.centre;
   state.centre = centre;
+  state.axes = pose.axes;
   detail::Search<Body> search{triangles_, *groups_, nodes, body, state};
   search.find_near_elements();
   search.settle_gap();

@@ -114,7 +114,7 @@ TEST(warnings, are_told_with_what_is_refused_for_the_same_reason) {
   EXPECT_EQ(generated.find("length_unit"), std::string::npos) << generated;
   const std::string coarse =
       refusal("contact_vent", {"membrane.mesh.radius=300", "pendulum.pivot=[400,0,0]"});
-  EXPECT_NE(coarse.find("at most 128 radii"), std::string::npos) << coarse;
+  EXPECT_NE(coarse.find("at most 128 times"), std::string::npos) << coarse;
   EXPECT_NE(coarse.find("\nwarning: membrane.mesh: the bag's longest extent is 600 m"), std::string::npos)
       << coarse;
   const std::string file = refusal("bag_from_files", {"membrane.mesh.length_unit=1",

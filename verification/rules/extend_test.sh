@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What CONTRIBUTING.md says of a new species, impactor and fabric law, done to a copy: one row of the table of species, a capsule in the
-# header of the impactor's shape, and four files of a law. All are built, and a program uses what is new.
+# What CONTRIBUTING.md says of a new species, impactor and fabric law, done to a copy: one row of the table of species, a brick as the
+# impactor's shape, and four files of a law. All are built, and a program uses what is new.
 # usage: extend_test.sh SCRATCH
 set -euo pipefail
 root=$(cd "${BASH_SOURCE[0]%/*}/../.." && pwd)
@@ -13,13 +13,13 @@ cp -a "$root"/{cmake,elementary,libgas,libcoupling} "$scratch/source"
 
 echo 'Kr,83.798,200.0,6000.0,2.5,0.0,0.0,0.0,0.0,-745.375,5.49095651,test' >>"$scratch/source/libgas/data/nasa7.csv"
 
-shape=$scratch/source/libcoupling/include/coupling/impactor.hpp
-{
-  sed '/^\/\/\/ The shape that contact is compiled for/,$d; s/^#include <optional>/&\n\n#include "coupling\/side.hpp"/' "$shape"
-  cat "$here/capsule.hpp"
-  sed -n '/^\/\/\/ The shape that contact is compiled for/,$p' "$shape" | sed 's/= Sphere;/= Capsule;/'
-} >"$scratch/impactor.hpp"
-mv "$scratch/impactor.hpp" "$shape"
+coupling=$scratch/source/libcoupling
+sed -i 's|^/// A shape of an impactor.|/// A brick with round edges.\nstruct Brick {\n  Eigen::Vector3d half_sides;  // [m] of the box\n  double radius;               // [m] of the edges\n};\n\n&|; s/^\(using Impactor = .*\)>;/\1, Brick>;/' \
+  "$coupling/include/coupling/impactor.hpp"
+sed -i '$d' "$coupling/src/bodies.hpp"  # the end of the namespace
+{ cat "$here/brick.hpp"; echo '}  // namespace coupling::detail'; } >>"$coupling/src/bodies.hpp"
+sed -i 's/^void require_valid_shape(const Disc& disc) {/void require_valid_shape(const Brick\& brick) { detail::require_positive("impactor.radius", brick.radius); }\n\n&/' \
+  "$coupling/src/impactor.cpp"
 
 # build LIBRARY PROGRAM: the library of the copy, and a program that links it
 build() {
@@ -36,8 +36,8 @@ build() {
   "$scratch/$2/build/$2"
 }
 build gas species_test
-build coupling capsule_test
-echo "a species took one row, an impactor one header"
+build coupling brick_test
+echo "a species took one row, an impactor three files"
 
 # A law, in a copy of the whole tree.
 tree=$scratch/tree

@@ -2,7 +2,7 @@
 // Contact of a rigid impactor (impactor.hpp) with a triangulated skin. Its energy is an integral over the
 // skin's reference area, so the force for a penetration converges with the mesh:
 //   (K.10) E = sum_q w_q kappa (r - d_q)^2 / 2 over quadrature points with d_q = |x_q - c| < r.
-// For another shape, r - d_q is the depth below its surface.
+// For another shape, r - d_q is the depth below its surface (K.49), and r its size.
 // The points are the centroids of n x n sub-triangles. The constructor chooses n for each element so that the
 // longest reference edge / n <= r/4. E depends on positions only, so the forces f_a = -dE/dx_a (K.11) are
 // conservative.
@@ -10,7 +10,7 @@
 // Friction (K.16) is Coulomb's, regularised: a sticking point stretches elastically until mu times the
 // pressure is reached. Its tangential stiffness equals the normal one.
 //
-// The skin has no thickness. The sphere stays on its side of the skin: see side.hpp.
+// The skin has no thickness. The body stays on its side of the skin: see side.hpp.
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
@@ -43,14 +43,15 @@ struct ContactParameters {
 struct ContactResult {
   /// [N] on the sphere; the forces on the nodes sum to its negative.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  Eigen::Vector3d couple = Eigen::Vector3d::Zero();  // [N m] about the centre, of friction only
-  double energy = 0.0;                               // [J] including the stretch of sticking points
-  double friction_loss = 0.0;                        // [J] lost since the last level (K.17)
-  double area = 0.0;                                 // [m2] reference area of the points in contact
-  double penetration = 0.0;                          // [m] largest r - d_q; 0 if nothing touches
-  int deepest_element = -1;                          // element of the penetration; -1 if nothing touches
-  double omega_squared_skin = 0.0;                   // [1/s2] (K.12) max_a sum_q w_q kappa N_a(q) / m_a
-  double omega_squared_sphere = 0.0;                 // [1/s2] (K.12) sum_q w_q kappa / m_eff
+  /// [N m] about the centre: of friction only on a sphere, of all forces on another shape (K.51).
+  Eigen::Vector3d couple = Eigen::Vector3d::Zero();
+  double energy = 0.0;                // [J] including the stretch of sticking points
+  double friction_loss = 0.0;         // [J] lost since the last level (K.17)
+  double area = 0.0;                  // [m2] reference area of the points in contact
+  double penetration = 0.0;           // [m] largest r - d_q; 0 if nothing touches
+  int deepest_element = -1;           // element of the penetration; -1 if nothing touches
+  double omega_squared_skin = 0.0;    // [1/s2] (K.12) max_a sum_q w_q kappa N_a(q) / m_a
+  double omega_squared_sphere = 0.0;  // [1/s2] (K.12) sum_q w_q kappa / m_eff
   /// Upper bound of the contact's omega^2 [1/s2] (K.12). Add it to the other stiffness terms of the step.
   double omega_squared() const { return omega_squared_skin + omega_squared_sphere; }
 };
@@ -70,6 +71,7 @@ struct ContactState {
   std::shared_ptr<const ElementGroups> owner;        // groups of the model that made the state; evaluate()
                                                      // throws if there are none
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m] at the last call
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();    // of the body at the last call
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();   // [m] motion of the centre in the last call
   Eigen::Matrix3Xd nodes;                            // (3 x N) [m] at the last call, if `kept`
   /// True if the next level may need `nodes`.
@@ -103,11 +105,12 @@ struct ContactState {
   static constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Penalty contact of a sphere with the skin (K.11), and the bound of its stiffness (K.12). Immutable.
+/// Penalty contact of a rigid body with the skin (K.11), and the bound of its stiffness (K.12). Immutable.
 class ContactModel {
  public:
   /// `triangles` (3 x M) are the skin's elements; `reference` (3 x N) [m] is its stress-free or current
-  /// shape; `masses` (N) [kg] are lumped; `effective_mass` [kg] is the sphere's along its path (K.3).
+  /// shape; `masses` (N) [kg] are lumped; `effective_mass` [kg] is that of the sphere's centre along its path
+  /// (K.3), or the least of any point of another body.
   /// `open_elements` close a hole: they exert no force, but the sphere's centre must not cross them.
   ///
   /// Throws std::invalid_argument for values out of range, node or element numbers that do not exist,
@@ -119,29 +122,32 @@ class ContactModel {
   ContactState make_state() const;  // a state with all that evaluate() needs
 
   /// S4: adds the contact forces (K.11) to `forces` at touched nodes only, and returns the result for the
-  /// sphere. Does not allocate. `turn` [rad] is the sphere's rotation since the last call; only friction uses
-  /// it.
+  /// body at `pose`. Does not allocate. `turn` [rad] is the body's rotation since the last call; only
+  /// friction uses it.
   ///
   /// Calls with one state belong to successive levels. Between two calls the centre and all skin points are
   /// assumed to move on straight lines at constant speed. The centre must not meet the skin (K.15). Set
   /// state.started to false to start again.
   ///
   /// Throws ContactError, naming the element, if
-  /// - the penetration exceeds r/2 (K.24),
-  /// - the centre crosses the skin,
+  /// - the penetration exceeds half the body's size, r/2 for a sphere (K.24),
+  /// - a sphere's centre crosses the skin, or another body may have crossed it: the relative motion,
+  /// including
+  ///   the body's rotation, exceeds the gap before it plus the size,
   /// - a coordinate is not finite (all are read, unless stays_clear got the motion).
   ///
-  /// Throws std::invalid_argument for a state of another model, for wrong sizes, and for a turn that is not
-  /// finite; the state is then unchanged. After an exception `forces` must not be used.
+  /// Throws std::invalid_argument for a state of another model, for wrong sizes, for axes that are not
+  /// orthonormal, and for a turn that is not finite; the state is then unchanged. After an exception `forces`
+  /// must not be used.
   ContactResult evaluate(ContactState& state, const Nodes& nodes, const Pose& pose, NodalForces forces,
                          const Eigen::Vector3d& turn = Eigen::Vector3d::Zero()) const;
 
   /// True if certainly nothing touches at this level, so that `evaluate` need not be called. The answer costs
   /// one comparison. It is `false` at the first level, and when the motion since may exceed the last gap.
   ///
-  /// `motion` [m] bounds how far skin points and centre have moved relative to each other since the last
-  /// level. After the answer `false`, `evaluate` uses it; without this call `evaluate` measures the motion of
-  /// every node.
+  /// `motion` [m] bounds how far skin points and body have moved relative to each other since the last level:
+  /// speeds of the skin plus those of any point of the body. A sphere's rotation does not count. After the
+  /// answer `false`, `evaluate` uses it; without this call `evaluate` measures the motion of every node.
   ///
   /// `ahead` [m] > 0 bounds the next level's motion; 0: not known. Positions are kept from level to level
   /// only if a path over such a motion may need a test. Without them `evaluate` throws std::invalid_argument
