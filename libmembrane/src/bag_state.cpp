@@ -58,6 +58,7 @@ BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds l
   const int nodes = model.node_count, elements = model.element_count;
   const BagDescription& d = model.description;
   BagState s;
+  s.gravity = d.gravity;
   s.position = Vectors(nodes);
   s.position.map() = position;
   for (Vectors* v : {&s.velocity, &s.volume_gradient, &s.membrane_force}) *v = Vectors(nodes);

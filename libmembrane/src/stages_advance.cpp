@@ -45,7 +45,7 @@ AdvanceArrays advance_arrays(const BagModel& model, BagState& state, const Extra
   a.inverse_mass = model.inverse_mass.data();
   a.node_gradient_squared = model.node_gradient_squared.data();
   a.rate_bound_squared = state.rate_bound_squared.data();
-  for (int c = 0; c < 3; ++c) a.gravity[c] = model.description.gravity[c];
+  for (int c = 0; c < 3; ++c) a.gravity[c] = state.gravity[c];
   a.damping = model.description.mass_damping;
   return a;
 }
@@ -108,8 +108,8 @@ void sum_advance(const BagModel& model, BagState& state, double dt_before, doubl
   AdvanceSums sums;
   for (int b = 0; b < node_blocks(model); ++b) add(sums, state.block[static_cast<std::size_t>(b)].advance);
   // Gravity's work needs no sum of its own: sum of m g . v_mean = g . (mean momentum).
-  sums.work.gravity = 0.25 * (dt_before + dt_after) *
-                      model.description.gravity.dot(sums.momentum_before + sums.momentum_after);
+  sums.work.gravity =
+      0.25 * (dt_before + dt_after) * state.gravity.dot(sums.momentum_before + sums.momentum_after);
   check_motion(model, state, sums);
   state.advance = sums;
 }

@@ -73,7 +73,7 @@ TEST(channel_filter, constants_and_slopes_pass_and_a_pulse_stays_where_it_is) {
 }
 
 TEST(channel_filter, peak_of_a_slow_signal_at_uneven_times_is_kept) {
-  driver::PlanarSignal signal;
+  driver::VectorSignal signal;
   for (double t = 0.0; t < 0.1; t += 2e-5 * (1.5 + std::sin(1e3 * t))) {
     signal.time.push_back(t);
     signal.first.push_back(30.0 * std::sin(2.0 * pi * 20.0 * t));
@@ -82,6 +82,40 @@ TEST(channel_filter, peak_of_a_slow_signal_at_uneven_times_is_kept) {
   // 20 Hz through CFC 180: 1 - (20/374)^4; linear resampling: (2 pi 20 5e-5)^2 / 8.
   EXPECT_NEAR(driver::filtered_peak(signal, 180.0), 50.0, 50.0 * 2e-5);
   EXPECT_EQ(driver::filtered_peak({}, 180.0), 0.0);
+}
+
+// Acceleration [m/s2] in three components that have the resultant of `at`, in steps of 1e-5 s.
+template <class Resultant>
+driver::VectorSignal head_of(double end, Resultant at) {
+  driver::VectorSignal signal;
+  for (int n = 0; n * 1e-5 <= end; ++n) {
+    const double a = at(n * 1e-5);
+    signal.time.push_back(n * 1e-5);
+    signal.first.push_back(a * 2.0 / 7.0);
+    signal.second.push_back(a * 3.0 / 7.0);
+    signal.third.push_back(a * 6.0 / 7.0);
+  }
+  return signal;
+}
+
+TEST(head_injury, of_a_half_sine_and_a_constant_follow_their_closed_forms) {
+  constexpr double g = 9.80665, peak = 80.0;
+  // Of a half sine of T: T A^2.5 times the largest of (2 sin(pi x / 2) / (pi x))^2.5 x, 0.4146 at x = 0.5245.
+  for (const double duration : {0.01, 0.02}) {
+    const auto pulse = head_of(0.06, [&](double t) {
+      return t < 0.01 || t > 0.01 + duration ? 0.0 : peak * g * std::sin(pi * (t - 0.01) / duration);
+    });
+    claim::expect_relative({"K.58", "head injury criterion of a half sine of 80 g, intervals of up to 15 ms",
+                            "the filter of class 1000 and intervals of whole 0.1 ms"},
+                           driver::head_injury_criterion(pulse, 0.015),
+                           0.41456 * duration * std::pow(peak, 2.5), 2e-3);
+  }
+  const auto constant = head_of(0.1, [&](double) { return 60.0 * g; });
+  for (const double window : {0.015, 0.036})
+    claim::expect_relative(
+        {"K.58", "head injury criterion of a constant 60 g: window times 60^2.5", "rounding"},
+        driver::head_injury_criterion(constant, window), window * std::pow(60.0, 2.5), 1e-9);
+  EXPECT_EQ(driver::head_injury_criterion({}, 0.015), 0.0);
 }
 
 // --- free skin that arrives at the impactor: peaks by the contact's stiffness

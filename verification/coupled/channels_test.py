@@ -48,4 +48,4 @@ def test_channels():
         refused(f"output.channel_classes: {pattern}", f"check {CASE} --set", f"output.channel_classes={setting}")
     refused("output.channel_classes: 1000 needs steps of 0.0001 s or less, time.step is 0.0002 s",
             f"check {CASE} --set time.step=2e-4 --set output.channel_classes=[60,1000]")
-    refused("output.channel_classes: the scene has no pendulum", "check cases/sphere_inflation.toml --set output.channel_classes=[60]")
+    refused("output.channel_classes: the scene has no impactor", "check cases/sphere_inflation.toml --set output.channel_classes=[60]")

@@ -38,7 +38,7 @@ const Fault kContactFaults[] = {
     {"impactor_too_small", "contact_vent", "impactor_radius = 0.041", "impactor_radius = 1e-4",
      "pendulum.impactor_radius", "skin element 0 = 0.0963", "impactor_radius = 1e-4"},
     {"contact_without_bag", "rigid_tank", "[scene]", "[contact]\n[scene]", "contact",
-     "needs [pendulum] and [membrane]", "contact]"}};
+     "needs [membrane], and [pendulum] or [impactor]", "contact]"}};
 
 INSTANTIATE_TEST_SUITE_P(Faults, bad_contact_input, testing::ValuesIn(kContactFaults),
                          [](const auto& fault) { return std::string(fault.param.name); });

@@ -189,6 +189,14 @@ Eigen::Vector3d KeyReader::vector(const char* unit, const Eigen::Vector3d& fallb
   return fallback;
 }
 
+std::vector<Eigen::Vector3d> KeyReader::vectors(const char* unit) {
+  const toml::node& node = table_->require(key_, unit, "an array of arrays of 3 numbers");
+  if (!node.is_array() || node.as_array()->empty()) fail("is not an array of arrays of 3 numbers");
+  std::vector<Eigen::Vector3d> rows;
+  for (const toml::node& row : *node.as_array()) rows.push_back(vector_of(row));
+  return rows;
+}
+
 std::vector<std::string> KeyReader::texts(const char* in_words) {
   const toml::node* node = table_->find(key_, "", "an array of strings", in_words);
   if (node && !node->is_array()) fail(fmt::format("is {}, allowed: an array of strings", type_name(*node)));

@@ -10,6 +10,7 @@
 #include "commands/command.hpp"
 #include "engine/bag_mesh.hpp"
 #include "engine/drift.hpp"
+#include "engine/impactor.hpp"
 #include "engine/run.hpp"
 #include "engine/stages.hpp"
 #include "engine/supply.hpp"
@@ -257,6 +258,7 @@ int check(const CaseArguments& arguments, const std::string& format) {
   if (scene.pendulum)
     fmt::print("pendulum: {:.6g} kg m2 about the axis, effective mass {:.5g} kg\n",
                scene.pendulum->model.axis_inertia(), scene.pendulum->model.effective_mass());
+  if (scene.body) fmt::print("impactor: effective mass {:.5g} kg\n", impactor_mass(scene));
   if (scene.contact) fmt::print("contact stiffness: {:.4g} N/m3\n", scene.contact->parameters().stiffness);
   if (scene.skin_contact) print_self_contact(scene);
   if (scene.moves() && !scene.output.history_exact)

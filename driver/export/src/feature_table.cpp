@@ -30,6 +30,9 @@ constexpr Outcome law{
     "Venant-Kirchhoff to first order of strain"};
 constexpr Outcome shape{Mapping::exact, "start shape as nodes, design shape as reference geometry"};
 constexpr Outcome sphere{Mapping::approximated, "a sphere of flat triangles, by the size below"};
+constexpr Outcome no_impactor{Mapping::none, "not written: add the rigid body and its contact by hand", true};
+constexpr Outcome no_field{Mapping::none, "not written: load the parts by the acceleration over time by hand",
+                           true};
 constexpr Outcome own_penalty{Mapping::approximated, "contact by node with the program's own penalty"};
 constexpr Outcome fabric_law{Mapping::approximated,
                              "the program's fabric in Green-Lagrange strain (FORM 12) for St. "
@@ -53,6 +56,8 @@ const std::vector<Feature>& features() {
       {"scene.name", same, same},
       {"scene.end_time", same, same},
       {"scene.gravity", same, same},
+      {"scene.gravity.time", no_field, no_field},
+      {"scene.gravity.value", no_field, no_field},
       {"scene.format", solver, solver},
       {"ambient.pressure", same, same},
       {"ambient.temperature", no_inflow, no_inflow},
@@ -242,6 +247,7 @@ const std::vector<Feature>& features() {
       {"pendulum.driving_moment",
        {Mapping::none, "load the rigid body by hand"},
        {Mapping::none, "load the rigid body by hand"}},
+      {"impactor", no_impactor, no_impactor},
       {"contact.stiffness", own_penalty, own_penalty},
       {"contact.stiffness_share", own_penalty, own_penalty},
       {"contact.friction", same, same},

@@ -10,6 +10,7 @@
 #include "base/json_head.hpp"
 #include "engine/bag_mesh.hpp"
 #include "engine/drift.hpp"
+#include "engine/impactor.hpp"
 #include "engine/stages.hpp"
 #include "engine/supply.hpp"
 #include "forecast/jet_peak.hpp"
@@ -203,6 +204,7 @@ Json derived_of(const Scene& scene, const State& state, const Forecast& f) {
   if (scene.pendulum)
     derived["pendulum"] = {{"axis_inertia_kg_m2", scene.pendulum->model.axis_inertia()},
                            {"effective_mass_kg", scene.pendulum->model.effective_mass()}};
+  if (scene.body) derived["impactor"] = {{"effective_mass_kg", impactor_mass(scene)}};
   if (scene.contact) derived["contact_stiffness_N_m3"] = scene.contact->parameters().stiffness;
   if (scene.skin_contact) derived["self_contact"] = self_contact_of(scene);
   return derived;

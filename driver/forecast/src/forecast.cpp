@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/drift.hpp"
+#include "engine/impactor.hpp"
 #include "engine/stages.hpp"
 #include "engine/supply.hpp"
 #include "forecast/jet_peak.hpp"
@@ -99,8 +100,8 @@ void add_jet_forces(const Scene& scene, const JetPart& part, const jet::OutletSt
   groups.add_size(
       "jet_on_bag" + key_of(part), "K.35", text_of(part) + "its force relative to the pressure's on the bag",
       excess > 0.0 ? flux * part.outlet.area * outlet.area_ratio / (excess * bag * bag) : INFINITY);
-  if (!scene.pendulum) return;
-  const Eigen::Vector3d impactor = scene.pendulum->model.impactor_centre(scene.pendulum->initial.angle);
+  if (!scene.has_impactor()) return;
+  const Eigen::Vector3d impactor = impactor_start(scene).centre;
   const double ratio =
       jet::relative_velocity(jet::widened(model, outlet.area_ratio), impactor).dot(model.axis);
   groups.add_size("jet_on_impactor" + key_of(part), "K.35",
@@ -109,9 +110,9 @@ void add_jet_forces(const Scene& scene, const JetPart& part, const jet::OutletSt
 }
 
 void add_jet_mesh(const Scene& scene, const JetPart& part, Groups& groups) {
-  if (!scene.bag || !scene.pendulum) return;
+  if (!scene.bag || !scene.has_impactor()) return;
   const jet::JetModel& model = part.field.model();
-  const Eigen::Vector3d impactor = scene.pendulum->model.impactor_centre(scene.pendulum->initial.angle);
+  const Eigen::Vector3d impactor = impactor_start(scene).centre;
   const double distance = (impactor - model.centre).dot(model.axis);
   if (!(distance > 0.0)) return;
   const double pieces =

@@ -46,7 +46,9 @@ class Variants {
           return sensor.kind == gas::SensorKind::input;
         }))
       return leave_out(cost_no_contact, "a sensor waits for the contact");
-    std::vector<std::string> off{"unset pendulum", "unset contact"};
+    std::vector<std::string> off{
+        scene_.pendulum && case_.value("impactor.motion.type").empty() ? "unset pendulum" : "unset impactor",
+        "unset contact"};
     case_.unset(off, "output.channel_classes");
     add(cost_no_contact, std::move(off));
   }

@@ -43,8 +43,8 @@ std::vector<std::string> taken_out(const Scene& scene, const CaseSettings& setti
   std::vector<std::string> list;
   if (auto fabric = tank_fabric(scene); !fabric.empty()) list.push_back(std::move(fabric));
   for (const char* key :
-       {"membrane", "fabric", "pendulum", "scene.gravity", "time.safety", "time.step", "time.unsafe_step",
-        "output.fields_every", "output.frames", "output.channel_classes"})
+       {"membrane", "fabric", "pendulum", "impactor", "scene.gravity", "time.safety", "time.step",
+        "time.unsafe_step", "output.fields_every", "output.frames", "output.channel_classes"})
     settings.unset(list, key);
   if (scene.contact) list.emplace_back("unset contact");
   for (const JetPart& jet : scene.jets) list.push_back(fmt::format("unset inflator.{}.jet", jet.inflator));

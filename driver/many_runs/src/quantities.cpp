@@ -27,11 +27,11 @@ double thread_cpu_seconds() {
 struct Quantity {
   const char* name;
   bool (*when)(const Scene&);
-  std::optional<double> (*value)(const State&, const PlanarSignal& acceleration);
+  std::optional<double> (*value)(const State&, const VectorSignal& acceleration);
 };
 
 using At = const State&;
-using Signal = const PlanarSignal&;
+using Signal = const VectorSignal&;
 
 std::optional<double> first_contact(At now, Signal) {
   if (now.peaks.first_contact < 0.0) return std::nullopt;
@@ -49,9 +49,14 @@ constexpr Quantity kQuantities[] = {
   {"final_angle_rad", has::pendulum, [](At now, Signal) { return std::optional(now.level.pendulum_angle); }},
   {"peak_cg_acceleration_m_s2", has::pendulum, [](At now, Signal) { return std::optional(now.peaks.cg_acceleration); }},
   {"peak_cg_acceleration_cfc180_m_s2", has::pendulum, filtered},
-  {"contact_impulse_Ns", has::pendulum, [](At now, Signal) { return std::optional(now.flows.contact_impulse); }},
-  {"path_impulse_Ns", has::pendulum, [](At now, Signal) { return std::optional(now.flows.path_impulse); }},
-  {"first_contact_s", has::pendulum, first_contact},
+  {"peak_impactor_displacement_m", has::body, [](At now, Signal) { return std::optional(now.peaks.displacement); }},
+  {"peak_impactor_acceleration_m_s2", has::body, [](At now, Signal) { return std::optional(now.peaks.acceleration); }},
+  {"peak_impactor_acceleration_cfc180_m_s2", has::body, filtered},
+  {"hic15", has::body, [](At, Signal signal) { return std::optional(head_injury_criterion(signal, 0.015)); }},
+  {"hic36", has::body, [](At, Signal signal) { return std::optional(head_injury_criterion(signal, 0.036)); }},
+  {"contact_impulse_Ns", has::impactor, [](At now, Signal) { return std::optional(now.flows.contact_impulse); }},
+  {"path_impulse_Ns", has::impactor, [](At now, Signal) { return std::optional(now.flows.path_impulse); }},
+  {"first_contact_s", has::impactor, first_contact},
 };
 // clang-format on
 
@@ -104,8 +109,9 @@ std::vector<std::string> quantity_names(const Scene& scene) {
 std::vector<std::string> row_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const auto& column : history_columns(scene)) names.push_back(column.name);
-  if (scene.pendulum)
-    for (const int channel_class : classes_of(scene)) names.push_back(filtered_column(channel_class));
+  if (scene.has_impactor())
+    for (const int channel_class : classes_of(scene))
+      names.push_back(filtered_column(channel_class, scene.pendulum.has_value()));
   return names;
 }
 
@@ -146,10 +152,10 @@ RecordedRun record_run(const Scene& scene) {
   const auto columns = history_columns(scene);
   run.outcome = run_scene(scene, state, [&](bool recorded, const State& now) {
     if (recorded) run.rows.push_back(row(columns, scene, now));
-    if (now.pendulum) acceleration.add(recorded, now);
+    if (scene.has_impactor()) acceleration.add(recorded, now);
   });
   run.cpu_seconds = thread_cpu_seconds() - start;
-  for (const int channel_class : state.pendulum ? classes_of(scene) : std::vector<int>{}) {
+  for (const int channel_class : scene.has_impactor() ? classes_of(scene) : std::vector<int>{}) {
     const std::vector<double> values = acceleration.at_rows(channel_class);
     for (std::size_t i = 0; i < values.size(); ++i) run.rows[i].push_back(values[i]);
   }

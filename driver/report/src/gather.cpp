@@ -94,7 +94,7 @@ void add_filtered(Json& run, const std::filesystem::path& file, const PageTable&
     if (std::ranges::find(table.columns, name) == table.columns.end()) return;
   if (table.kept < table.total) return;
   CsvTable rows = read_csv(file, names);
-  PlanarSignal signal{std::move(rows.values[0]), std::move(rows.values[1]), std::move(rows.values[2])};
+  VectorSignal signal{std::move(rows.values[0]), std::move(rows.values[1]), std::move(rows.values[2]), {}};
   double widest = 0.0;
   for (std::size_t i = 1; i < signal.time.size(); ++i)
     widest = std::max(widest, signal.time[i] - signal.time[i - 1]);

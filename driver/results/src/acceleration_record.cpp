@@ -11,8 +11,16 @@ void AccelerationRecord::add(bool recorded, const State& now) {
     times_.push_back(now.time);
   }
   signal_.time.push_back(level_);
-  signal_.first.push_back(now.pendulum->acceleration.tangential);
-  signal_.second.push_back(now.pendulum->acceleration.radial);
+  if (now.pendulum) {
+    signal_.first.push_back(now.pendulum->acceleration.tangential);
+    signal_.second.push_back(now.pendulum->acceleration.radial);
+  } else {
+    of_pendulum_ = false;
+    const Eigen::Vector3d& a = now.body->acceleration;
+    signal_.first.push_back(a.x());
+    signal_.second.push_back(a.y());
+    signal_.third.push_back(a.z());
+  }
   level_ += now.step.after;
 }
 
@@ -28,7 +36,7 @@ std::string AccelerationRecord::table(const std::vector<int>& classes) const {
   std::vector<std::vector<double>> columns;
   std::string text = "time_s";
   for (const int channel_class : classes) {
-    text += ',' + filtered_column(channel_class);
+    text += ',' + filtered_column(channel_class, of_pendulum_);
     columns.push_back(at_rows(channel_class));
   }
   for (std::size_t i = 0; i < times_.size(); ++i) {

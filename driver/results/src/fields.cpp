@@ -7,6 +7,7 @@
 #include <functional>
 #include <string_view>
 
+#include "impactor_picture.hpp"
 #include "jet_loads.hpp"
 #include "results/results.hpp"
 
@@ -111,6 +112,12 @@ std::string pendulum_polydata(const std::string& first, const Scene& scene, cons
   return out;
 }
 
+std::string impactor_polydata(const Scene& scene, const State& state) {
+  mesh::Mesh picture = impactor_picture(scene.impactor);
+  picture.nodes = (state.level.impactor.axes * picture.nodes).colwise() + state.level.impactor.centre;
+  return polydata_of(picture);
+}
+
 }  // namespace
 
 std::string polydata_of(const mesh::Mesh& mesh) {
@@ -134,6 +141,7 @@ void FieldWriter::write(const State& state) {
   const std::string bag_file = "bag_" + frame, first = head(folder_, "PolyData");
   folder_.write(bag_file, bag_polydata(first, scene_, state));
   if (scene_.pendulum) folder_.write("pendulum_" + frame, pendulum_polydata(first, scene_, state));
+  if (scene_.body) folder_.write("impactor_" + frame, impactor_polydata(scene_, state));
   files_.emplace_back(state.time, bag_file);
   write_collection();
 }
@@ -143,9 +151,9 @@ void FieldWriter::write_collection() const {
   for (const auto& [time, file] : files_) {
     fmt::format_to(std::back_inserter(out), "<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", time,
                    file);
-    if (scene_.pendulum)
-      fmt::format_to(std::back_inserter(out), "<DataSet timestep=\"{}\" part=\"1\" file=\"pendulum_{}\"/>\n",
-                     time, file.substr(4));
+    if (scene_.has_impactor())
+      fmt::format_to(std::back_inserter(out), "<DataSet timestep=\"{}\" part=\"1\" file=\"{}_{}\"/>\n", time,
+                     scene_.pendulum ? "pendulum" : "impactor", file.substr(4));
   }
   out += "</Collection>\n</VTKFile>\n";
   folder_.write("fields.pvd", out);

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "base/formats.hpp"
+#include "impactor_picture.hpp"
 #include "jet/jet.hpp"
 #include "jet_loads.hpp"
 #include "results/results.hpp"
@@ -30,6 +31,13 @@ constexpr const char* kScalars[] = {"time_s",       "overpressure_Pa", "x_m",   
                                     "z_m",          "position_step_m", "impactor_x_m", "impactor_y_m",
                                     "impactor_z_m", "speed_step_m_s",  "jet_step_Pa",  "strain_low",
                                     "strain_step"};
+
+// Quaternion of an impactor other than a sphere on a pendulum, after those of the jets.
+constexpr const char* kTurn[] = {"impactor_turn_w", "impactor_turn_x", "impactor_turn_y", "impactor_turn_z"};
+
+bool turns(const Scene& scene) {
+  return scene.body || (scene.pendulum && !std::holds_alternative<coupling::Sphere>(scene.impactor));
+}
 
 Json point(const Eigen::Vector3d& p) {
   return {p.x(), p.y(), p.z()};
@@ -83,7 +91,15 @@ Json header(const Scene& scene, const std::string& run, const TargetPicture* tar
     json["jets"].push_back(jet_json(model, target ? largest_distance(model.centre, nodes) : size.norm()));
   }
   if (scene.bag) add_bag(json, *scene.bag);
-  if (scene.pendulum) {
+  if (turns(scene)) {
+    for (const char* name : kTurn) json["scalars"].push_back(name);
+    const mesh::Mesh picture = impactor_picture(scene.impactor);
+    json["impactor"] = {{"nodes_m", Json::array()}, {"triangles", Json::array()}};
+    for (const auto& node : picture.nodes.colwise()) json["impactor"]["nodes_m"].push_back(point(node));
+    for (const auto& t : picture.elements.colwise())
+      json["impactor"]["triangles"].push_back({t[0], t[1], t[2]});
+    if (scene.pendulum) json["impactor"]["pivot_m"] = point(scene.pendulum->model.parameters().pivot);
+  } else if (scene.pendulum) {
     const auto& pendulum = scene.pendulum->model.parameters();
     json["pendulum"] = {{"pivot_m", point(pendulum.pivot)}, {"radius_m", pendulum.impactor_radius}};
   }
@@ -175,14 +191,20 @@ void FrameWriter::write(const State& state) {
   const double step = (high - low).maxCoeff() / kTop;
   const auto [least, largest] = std::ranges::minmax(surface.strain);
   const double strain_step = (largest - least) / kTop;
-  const Eigen::Vector3d impactor = state.pendulum ? state.pendulum->centre : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d impactor = state.level.impactor.centre;
   const double speed_step = step_of(surface.speed), jet_step = step_of(surface.jets.overpressure);
-  Bytes out(frame_bytes(std::size(kScalars) + state.jets.size(), nodes, elements));
+  const bool turn = turns(scene_);
+  Bytes out(
+      frame_bytes(std::size(kScalars) + state.jets.size() + (turn ? std::size(kTurn) : 0), nodes, elements));
   for (const double number : {state.time, surface.gauge, low.x(), low.y(), low.z(), step, impactor.x(),
                               impactor.y(), impactor.z(), speed_step, jet_step, least, strain_step})
     out.put_number(number);
   // A sonic outlet keeps its speed after the flow has ended.
   for (const JetRun& run : state.jets) out.put_number(run.outlet.density > 0.0 ? run.outlet.velocity : 0.0);
+  if (turn) {
+    const Eigen::Quaterniond q(state.level.impactor.axes);
+    for (const double number : {q.w(), q.x(), q.y(), q.z()}) out.put_number(number);
+  }
   const Eigen::Matrix3Xd from_corner = position.colwise() - low;
   out.put_steps({from_corner.data(), 3 * nodes}, 0.0, step);
   out.put_steps(surface.speed, 0.0, speed_step);

@@ -74,6 +74,10 @@ Json peaks(const Scene& scene, const State& state) {
     json["pendulum_angle_rad"] = p.pendulum_angle;
     json["pendulum_cg_acceleration_m_s2"] = p.cg_acceleration;
   }
+  if (scene.body) {
+    json["impactor_displacement_m"] = p.displacement;
+    json["impactor_acceleration_m_s2"] = p.acceleration;
+  }
   if (scene.contact) {
     json["contact_force_N"] = p.contact_force;
     json["contact_penetration_m"] = p.penetration;

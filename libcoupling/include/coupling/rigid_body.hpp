@@ -18,6 +18,7 @@ struct RailSpring {
 /// A rail along which a body moves without turning.
 struct Rail {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // [-] of any length > 0
+  /// Between it and the body.
   std::vector<RailSpring> springs{};
 };
 
@@ -31,7 +32,7 @@ struct RigidBodyParameters {
   Eigen::Matrix3d inertia =
       Eigen::Matrix3d::Zero();  // [kg m2] about the centre, in the body's axes; of a free body
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
-  std::optional<Rail> rail{};
+  std::optional<Rail> rail{};                         // none: a free body
 };
 
 /// Motion of a body, staggered as in the central difference: place at level n, speeds at n-1/2. At the start
@@ -66,7 +67,9 @@ class RigidBodyModel {
   explicit RigidBodyModel(const RigidBodyParameters& parameters);
 
   const RigidBodyParameters& parameters() const { return parameters_; }  // direction of the rail normalised
+  /// True without a rail.
   bool is_free() const { return !parameters_.rail; }
+  /// State at the start.
   RigidBodyState initial() const;
 
   /// Displacement [m] from the start: along the rail, or the length of that of a free body.
@@ -78,8 +81,9 @@ class RigidBodyModel {
 
   /// Force [N] of gravity and, on a rail, of the springs, without what the rail takes (K.53).
   Eigen::Vector3d own_force(const RigidBodyState& state) const;
-  /// Energy [J] of gravity, less that at the start, and of the springs (K.54).
+  /// Energy [J] of gravity, less that at the start (K.54).
   double gravity_energy(const RigidBodyState& state) const;
+  /// Energy [J] of the springs (K.54).
   double spring_energy(const RigidBodyState& state) const;
 
   /// One step of the central difference: a kick by load and own force over tau = (dt_before + dt_after)/2

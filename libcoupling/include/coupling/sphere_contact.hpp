@@ -32,7 +32,7 @@ struct Grip;
 
 /// Parameters of the contact.
 struct ContactParameters {
-  Impactor impactor;
+  Impactor impactor;  // shape
   /// [N/m3] kappa > 0: pressure per penetration. The peak force grows with its square root (K.23).
   double stiffness;
   double friction = 0.0;  // [-] mu >= 0
@@ -208,9 +208,9 @@ struct StiffnessBudget {
   double share;
   double other_omega_squared;  // [1/s2] smallest bound of the other terms over the run
   double surface_density;      // [kg/m2] least rho h of the skin
-  Impactor impactor;
-  double effective_mass;  // [kg] of the sphere (K.3)
-  double friction = 0.0;  // [-]
+  Impactor impactor;           // shape
+  double effective_mass;       // [kg] of the sphere (K.3)
+  double friction = 0.0;       // [-]
 };
 
 /// Largest contact stiffness [N/m3] whose omega^2, (K.12) plus the force's rotation (K.8), stays within that

@@ -82,6 +82,8 @@ struct BagState {
   Vectors volume_gradient;  // dV/dx = sum of S_e / 3 [m2], nodes; S1/S9
   /// p - p_a [Pa]; S8 takes gauge_pressure * volume_gradient as the nodal force; S3 pressure_forces.
   double gauge_pressure = 0.0;
+  /// [m/s2] That of the description, or what the caller sets for the next kick; S8 takes it.
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   Vectors membrane_force;             // [N], nodes; S3 membrane_forces
   Vectors jet_force;                  // [N], nodes; empty without jet; S3 jet_forces
   std::vector<int> jet_nodes;         // nodes with a jet_force that is not zero; S3 jet_forces

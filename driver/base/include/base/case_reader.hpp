@@ -128,6 +128,8 @@ class KeyReader {
   std::vector<Element> elements();
   Eigen::Vector3d vector(const char* unit);
   Eigen::Vector3d vector(const char* unit, const Eigen::Vector3d& fallback, const char* in_words = nullptr);
+  /// Reads a non-empty array of vectors.
+  std::vector<Eigen::Vector3d> vectors(const char* unit);
   /// Reads { name = fraction, ... }: each in (0, 1], with sum 1 within 1e-9. Returns them as given.
   std::map<std::string, double> composition();
 

@@ -20,8 +20,8 @@ inline constexpr std::array ensemble_channel_classes{60, 180};
 constexpr double widest_interval(double channel_class) {
   return 0.1 / channel_class;
 }
-/// Name of such a column [m/s2].
-std::string filtered_column(int channel_class);
+/// Name of such a column [m/s2]: of a pendulum's centre of gravity, or of another impactor.
+std::string filtered_column(int channel_class, bool of_pendulum = true);
 
 /// Filtered samples (K.22): four-pole phaseless Butterworth low-pass of SAE J211-1, appendix C, a two-pole
 /// filter run forward and backward. `channel_class` [Hz] is the CFC. The gain is 0.707 near 1.65 CFC, and
@@ -29,17 +29,22 @@ std::string filtered_column(int channel_class);
 /// samples a second are needed. Beyond its ends the signal is held. Throws std::invalid_argument.
 std::vector<double> channel_filter(std::span<const double> samples, double interval, double channel_class);
 
-/// A signal with two components, at increasing times [s] of any spacing.
-struct PlanarSignal {
-  std::vector<double> time, first, second;
+/// A signal with two components or three, at increasing times [s] of any spacing.
+struct VectorSignal {
+  std::vector<double> time, first, second, third{};
 };
 
 /// Resultant of the filtered components at the times of the signal, of at least two samples. In between it is
 /// resampled linearly to 100 kHz. Throws std::invalid_argument.
-std::vector<double> filtered_resultant(const PlanarSignal& signal, double channel_class);
+std::vector<double> filtered_resultant(const VectorSignal& signal, double channel_class);
 
 /// Largest resultant of the filtered components, after linear resampling to 100 kHz; 0 for fewer than two
 /// samples.
-double filtered_peak(const PlanarSignal& signal, double channel_class);
+double filtered_peak(const VectorSignal& signal, double channel_class);
+
+/// Head injury criterion [-] of an acceleration [m/s2], filtered by class 1000: the largest (t2 - t1) (mean
+/// acceleration / g)^2.5 over intervals of up to `window` [s], 0.015 or 0.036 (49 CFR 571.208). Intervals
+/// begin and end at multiples of 0.1 ms (K.58). 0 for fewer than two samples.
+double head_injury_criterion(const VectorSignal& signal, double window);
 
 }  // namespace driver

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -11,7 +12,9 @@
 #include <vector>
 
 #include "base/case_reader.hpp"
+#include "coupling/impactor.hpp"
 #include "coupling/pendulum.hpp"
+#include "coupling/rigid_body.hpp"
 #include "coupling/skin_contact.hpp"
 #include "coupling/sphere_contact.hpp"
 #include "engine/tank_volume.hpp"
@@ -91,6 +94,14 @@ struct PendulumPart {
   coupling::PendulumModel model;
   coupling::PendulumState initial;
   std::optional<gas::Curve> driving_moment;  // [N m] about the axis, over time; zero outside of its knots
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns: the impactor's axes at angle 0
+  std::string path = "pendulum";                       // where its keys stand in the case
+};
+
+/// An impactor on a rail, or free.
+struct BodyPart {
+  coupling::RigidBodyModel model;
+  std::optional<gas::Curve> force;  // [N] along the rail, over time; zero outside of its knots
 };
 
 /// Time and step.
@@ -118,6 +129,8 @@ struct Scene {
   std::string name;
   std::filesystem::path case_file;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // [m/s2]
+  /// [m/s2] In place of it, components over time, zero outside of their knots: of the frame of a sled.
+  std::optional<std::array<gas::Curve, 3>> field;
   gas::Ambient ambient{};
   TimePart time;
   OutputPart output;
@@ -127,6 +140,8 @@ struct Scene {
   std::vector<JetPart> jets;
   JetWork jet_work = JetWork::external;  // of all jets
   std::optional<PendulumPart> pendulum;
+  std::optional<BodyPart> body;  // in place of the pendulum
+  coupling::Impactor impactor;   // shape of either
   std::optional<coupling::ContactModel> contact;
   std::optional<double> contact_share;  // [-] stiffness_share, if the stiffness comes of it
   std::optional<coupling::SkinContactModel> skin_contact;  // of the bag's fabric with itself
@@ -137,7 +152,8 @@ struct Scene {
   /// True if there is a volume of gas.
   bool has_volume() const { return gas && (bag || gas->rigid_volume); }
   /// True if anything moves.
-  bool moves() const { return bag.has_value() || pendulum.has_value(); }
+  bool moves() const { return bag || has_impactor(); }
+  bool has_impactor() const { return pendulum || body; }
 };
 
 /// Reads the mesh file of a case. Throws mesh::MeshFileError.

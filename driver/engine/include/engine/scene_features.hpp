@@ -77,8 +77,21 @@ inline bool self_contact(const Scene& scene) {
 inline bool pendulum(const Scene& scene) {
   return scene.pendulum.has_value();
 }
-inline bool driving_moment(const Scene& scene) {
-  return scene.pendulum && scene.pendulum->driving_moment;
+inline bool body(const Scene& scene) {
+  return scene.body.has_value();
+}
+inline bool free_body(const Scene& scene) {
+  return scene.body && scene.body->model.is_free();
+}
+inline bool rail_springs(const Scene& scene) {
+  return scene.body && !scene.body->model.is_free() && !scene.body->model.parameters().rail->springs.empty();
+}
+inline bool impactor(const Scene& scene) {
+  return scene.has_impactor();
+}
+inline bool driving(const Scene& scene) {
+  return scene.field || (scene.pendulum && scene.pendulum->driving_moment) ||
+         (scene.body && scene.body->force);
 }
 inline bool motion(const Scene& scene) {
   return scene.moves();

@@ -50,13 +50,14 @@ struct Flows {
   double gas_work = 0.0;           // [J] int p dV
   long gas_substeps = 0;
   long gas_evaluations = 0;
-  double damping_loss = 0.0;     // [J]
-  double friction_loss = 0.0;    // [J]
-  double jet_work = 0.0;         // [J] by external jets
-  double pressure_work = 0.0;    // [J] by a prescribed overpressure
-  double driving_work = 0.0;     // [J] by the pendulum's driving moment
-  double kick_work = 0.0;        // [J] of all forces, kick form
-  double contact_impulse = 0.0;  // [N s] integral of the magnitude of the contact force
+  double damping_loss = 0.0;      // [J]
+  double friction_loss = 0.0;     // [J]
+  double jet_work = 0.0;          // [J] by external jets
+  double pressure_work = 0.0;     // [J] by a prescribed overpressure
+  double driving_work = 0.0;      // [J] by what drives the impactor
+  double impactor_damping = 0.0;  // [J] lost in the dampers of its rail
+  double kick_work = 0.0;         // [J] of all forces, kick form
+  double contact_impulse = 0.0;   // [N s] integral of the magnitude of the contact force
   /// [N s] Integral of the contact force's part along the impactor's path (K.26).
   double path_impulse = 0.0;
 };
@@ -112,14 +113,16 @@ struct JetRun {
 
 /// Values of the current level n that later stages overwrite, kept for the balances of n.
 struct Level {
-  double internal_energy = 0.0;  // S2 [J]
-  double volume = 0.0;           // S2 [m3]
-  double skin_area = 0.0;        // S2 [m2]
-  double skin_strain = 0.0;      // S3 [J]
-  double displacement = 0.0;     // S8 [m] largest of a node since the start, if wanted
-  double pendulum_angle = 0.0;   // S4 [rad]
-  Flows flows;                   // S2, sums up to n
-  AmbientEnergies ambient;       // S2
+  double internal_energy = 0.0;                     // S2 [J]
+  double volume = 0.0;                              // S2 [m3]
+  double skin_area = 0.0;                           // S2 [m2]
+  double skin_strain = 0.0;                         // S3 [J]
+  double displacement = 0.0;                        // S8 [m] largest of a node since the start, if wanted
+  double pendulum_angle = 0.0;                      // S4 [rad]
+  coupling::Pose impactor;                          // S4
+  Eigen::Vector3d field = Eigen::Vector3d::Zero();  // S8 [m/s2] mean of Scene::field over the kick
+  Flows flows;                                      // S2, sums up to n
+  AmbientEnergies ambient;                          // S2
   /// S2 [kg] of each species; like `streams`, only if the history has them.
   std::vector<double> masses;
   Streams streams;         // S2
@@ -157,6 +160,8 @@ struct Peaks {
   double volume = 0.0;           // [m3]
   double pendulum_angle = 0.0;   // [rad] largest magnitude
   double cg_acceleration = 0.0;  // [m/s2]
+  double displacement = 0.0;     // [m] of an impactor on a rail or free, largest magnitude
+  double acceleration = 0.0;     // [m/s2] of it
   double contact_force = 0.0;    // [N]
   double penetration = 0.0;      // [m] of the contact
   double jet_force = 0.0;        // [N]
@@ -209,18 +214,33 @@ struct StepSizes {
 
 /// State of the pendulum.
 struct PendulumRun {
-  coupling::PendulumState motion;    // S8
-  double moment = 0.0;               // S4 [N m] at n, of gravity and contact
-  double contact_moment = 0.0;       // S4 [N m] at n, of the contact force
-  double driving_moment = 0.0;       // S8 [N m] that the case prescribes, its mean over the kick
-  double driving_work = 0.0;         // S8 [J] of that moment in this kick
-  double driving_work_before = 0.0;  // S8 [J] its part before n (K.42)
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // S4 [m] of the impactor at n
-  double angular_velocity = 0.0;                     // S8 [rad/s] at n
-  coupling::CgAcceleration acceleration;             // S8 at n
-  double kinetic_before = 0.0;                       // S8 [J] at n-1/2
-  double kinetic_after = 0.0;                        // S8 [J] at n+1/2
-  double kinetic = 0.0;                              // S8 [J] at n
+  coupling::PendulumState motion;         // S8
+  double moment = 0.0;                    // S4 [N m] at n, of gravity and contact
+  double contact_moment = 0.0;            // S4 [N m] at n, of the contact force
+  double driving_moment = 0.0;            // S8 [N m] that the case prescribes, its mean over the kick
+  double driving_work = 0.0;              // S8 [J] of that moment in this kick
+  double driving_work_before = 0.0;       // S8 [J] its part before n (K.42)
+  double angular_velocity = 0.0;          // S8 [rad/s] at n
+  coupling::CgAcceleration acceleration;  // S8 at n
+  double kinetic_before = 0.0;            // S8 [J] at n-1/2
+  double kinetic_after = 0.0;             // S8 [J] at n+1/2
+  double kinetic = 0.0;                   // S8 [J] at n
+};
+
+/// State of an impactor on a rail, or free.
+struct BodyRun {
+  coupling::RigidBodyState motion;   // S8
+  coupling::RigidBodyLoad contact;   // S4 at n
+  double displacement = 0.0;         // S4 [m] at n
+  double gravity_energy = 0.0;       // S4 [J] at n
+  double spring_energy = 0.0;        // S4 [J] at n
+  double driving_work = 0.0;         // S8 [J] of the force that the case prescribes, in this kick
+  double driving_work_before = 0.0;  // S8 [J] its part before n
+  coupling::RigidBodyKick kick;      // S8
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // S8 [m/s] at n
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();      // S8 [m/s2] at n
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // S8 [rad/s] at n
+  double kinetic = 0.0;                                        // S8 [J] at n
 };
 
 /// What the balances count from.
@@ -228,10 +248,15 @@ struct AtStart {
   double gas_mass = 0.0;               // [kg]
   double volume = 0.0;                 // [m3]
   double energy = 0.0;                 // [J] sum of all energies
-  double kinetic = 0.0;                // [J] of skin and pendulum
+  double kinetic = 0.0;                // [J] of skin and impactor
   double smallest_energy = 0.0;        // [J] below which a skin's is not judged
   std::vector<double> masses;          // [kg] of each species
   std::vector<double> ambient_energy;  // [J/kg] u of each species at ambient temperature
+};
+
+/// Surface of the rigid target.
+struct TargetSurface {
+  membrane::Vectors area_vectors, centroids;  // [m2], [m]
 };
 
 /// State of a run.
@@ -254,6 +279,7 @@ struct State {
 
   std::optional<membrane::BagState> bag;  // S1, S3, S8, S9
   std::optional<PendulumRun> pendulum;
+  std::optional<BodyRun> body;
   std::optional<coupling::ContactState> contact_cache;           // S4 workspace
   coupling::ContactResult contact;                               // S4
   std::optional<coupling::SkinContactState> skin_contact_cache;  // S4 workspace
@@ -261,8 +287,7 @@ struct State {
   std::vector<JetRun> jets;
   /// S3: views of what S6 and S7 wrote for each jet.
   std::vector<membrane::JetLoad> jet_loads;
-  /// S1, of the rigid target.
-  membrane::Vectors target_area_vectors, target_centroids;
+  TargetSurface target;  // S1
 
   /// Time of each stage, in ticks (stage_clock.hpp).
   std::array<std::uint64_t, kStages> stage_ticks{};

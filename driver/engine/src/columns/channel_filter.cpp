@@ -53,8 +53,9 @@ std::vector<double> resample(const std::vector<double>& time, const std::vector<
 
 }  // namespace
 
-std::string filtered_column(int channel_class) {
-  return fmt::format("pendulum_cg_acceleration_cfc{}_m_s2", channel_class);
+std::string filtered_column(int channel_class, bool of_pendulum) {
+  return fmt::format("{}_cfc{}_m_s2", of_pendulum ? "pendulum_cg_acceleration" : "impactor_acceleration",
+                     channel_class);
 }
 
 std::vector<double> channel_filter(std::span<const double> samples, double interval, double channel_class) {
@@ -75,24 +76,27 @@ namespace {
 
 constexpr double fine_interval = 1e-5;  // [s] twice as fine as the finest steps of a bag
 
-std::vector<double> filtered_at_100_khz(const PlanarSignal& signal, double channel_class) {
+std::vector<double> filtered_at_100_khz(const VectorSignal& signal, double channel_class) {
   const auto filtered = [&](const std::vector<double>& component) {
     return channel_filter(resample(signal.time, component, fine_interval), fine_interval, channel_class);
   };
   std::vector<double> first = filtered(signal.first);
   const std::vector<double> second = filtered(signal.second);
   for (std::size_t i = 0; i < first.size(); ++i) first[i] = elementary::hypot(first[i], second[i]);
+  if (signal.third.empty()) return first;
+  const std::vector<double> third = filtered(signal.third);
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = elementary::hypot(first[i], third[i]);
   return first;
 }
 
 }  // namespace
 
-double filtered_peak(const PlanarSignal& signal, double channel_class) {
+double filtered_peak(const VectorSignal& signal, double channel_class) {
   if (signal.time.size() < 2) return 0.0;
   return std::ranges::max(filtered_at_100_khz(signal, channel_class));
 }
 
-std::vector<double> filtered_resultant(const PlanarSignal& signal, double channel_class) {
+std::vector<double> filtered_resultant(const VectorSignal& signal, double channel_class) {
   const std::vector<double> fine = filtered_at_100_khz(signal, channel_class);
   std::vector<double> values;
   for (const double t : signal.time) {
@@ -100,6 +104,28 @@ std::vector<double> filtered_resultant(const PlanarSignal& signal, double channe
     values.push_back(fine[std::min(fine.size() - 1, static_cast<std::size_t>(std::lround(place)))]);
   }
   return values;
+}
+
+double head_injury_criterion(const VectorSignal& signal, double window) {
+  if (signal.time.size() < 2) return 0.0;
+  constexpr double g = 9.80665, class_of_head = 1000.0, interval = 1e-4;  // [m/s2] [Hz] [s]
+  const std::vector<double> fine = filtered_at_100_khz(signal, class_of_head);
+  // Change of velocity over g [s] up to each tenth sample, by trapezoids of all.
+  constexpr std::size_t every = 10;
+  std::vector<double> change{0.0};
+  double sum = 0.0;
+  for (std::size_t i = 1; i < fine.size(); ++i) {
+    sum += 0.5 * (fine[i - 1] + fine[i]) * fine_interval / g;
+    if (i % every == 0) change.push_back(sum);
+  }
+  const auto longest = static_cast<std::size_t>(std::lround(window / interval));
+  double largest = 0.0;
+  for (std::size_t begin = 0; begin < change.size(); ++begin)
+    for (std::size_t length = 1; length <= longest && begin + length < change.size(); ++length) {
+      const double mean = (change[begin + length] - change[begin]) / (static_cast<double>(length) * interval);
+      largest = std::max(largest, static_cast<double>(length) * interval * mean * mean * std::sqrt(mean));
+    }
+  return largest;
 }
 
 }  // namespace driver

@@ -39,7 +39,7 @@ double joint_force(Of scene, At now) {
   const PendulumRun& p = *now.pendulum;
   return scene.pendulum->model
       .joint_reaction(now.level.pendulum_angle, p.angular_velocity, p.moment + p.driving_moment,
-                      now.contact.force)
+                      now.contact.force + scene.pendulum->model.parameters().mass * now.level.field)
       .norm();
 }
 
@@ -71,6 +71,13 @@ constexpr Line kLines[] = {
   {"pendulum_cg_radial_m_s2", has::pendulum, [](Of, At now) { return now.pendulum->acceleration.radial; }},
   {"pendulum_cg_acceleration_m_s2", has::pendulum, [](Of, At now) { return now.pendulum->acceleration.resultant; }},
   {"pendulum_joint_force_N", has::pendulum, joint_force},
+  {"impactor_displacement_m", has::body, [](Of, At now) { return now.body->displacement; }},
+  {"impactor_velocity_m_s", has::body, [](Of scene, At now) { return scene.body->model.speed(now.body->velocity); }},
+  {"impactor_acceleration_m_s2", has::body, [](Of scene, At now) { return scene.body->model.speed(now.body->acceleration); }},
+  {"impactor_x_m", has::free_body, [](Of, At now) { return now.level.impactor.centre.x(); }},
+  {"impactor_y_m", has::free_body, [](Of, At now) { return now.level.impactor.centre.y(); }},
+  {"impactor_z_m", has::free_body, [](Of, At now) { return now.level.impactor.centre.z(); }},
+  {"impactor_angular_velocity_rad_s", has::free_body, [](Of, At now) { return now.body->angular_velocity.norm(); }},
   {"strap_force_N", has::straps, [](Of, At now) { return std::ranges::max(now.bag->strap_tension); }},
   {"plate_force_N", has::plates, [](Of, At now) { return now.bag->forces.plate_force.norm(); }},
 };

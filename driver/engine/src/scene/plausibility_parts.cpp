@@ -35,9 +35,9 @@ void warn_of_path(const coupling::PendulumParameters& p, const BagPart& bag, Sce
   const double apart = elementary::hypot(along, across - p.impactor_distance);
   if (apart > reach.radius + p.impactor_radius)
     scene.warnings.push_back(
-        fmt::format("pendulum.pivot = [{:g}, {:g}, {:g}] m and impactor_distance = {:g} m keep the impactor "
+        fmt::format("{}.pivot = [{:g}, {:g}, {:g}] m and impactor_distance = {:g} m keep the impactor "
                     "at least {:.3g} m from the bag's middle: it cannot touch the bag",
-                    p.pivot.x(), p.pivot.y(), p.pivot.z(), p.impactor_distance, apart));
+                    scene.pendulum->path, p.pivot.x(), p.pivot.y(), p.pivot.z(), p.impactor_distance, apart));
 }
 
 void warn_of_upside_down(const coupling::PendulumParameters& p, Scene& scene) {
@@ -45,8 +45,8 @@ void warn_of_upside_down(const coupling::PendulumParameters& p, Scene& scene) {
   if (scene.gravity.dot(p.rest_direction.normalized()) < clearly * scene.gravity.norm())
     scene.warnings.push_back(
         fmt::format("scene.gravity = [{:g}, {:g}, {:g}] m/s2 points from the impactor to the pivot, so the "
-                    "pendulum is upside down: check its sign and that of pendulum.rest_direction",
-                    scene.gravity.x(), scene.gravity.y(), scene.gravity.z()));
+                    "pendulum is upside down: check its sign and that of {}.rest_direction",
+                    scene.gravity.x(), scene.gravity.y(), scene.gravity.z(), scene.pendulum->path));
 }
 
 void warn_of_far_plates(const BagPart& bag, Scene& scene) {

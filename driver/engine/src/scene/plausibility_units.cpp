@@ -66,12 +66,25 @@ void check_general(const Scene& scene, UnitWarnings& units) {
 void check_pendulum(const PendulumPart& pendulum, UnitWarnings& units) {
   constexpr double turn = 2.0 * std::numbers::pi;
   const coupling::PendulumParameters& p = pendulum.model.parameters();
-  units.expect("pendulum.mass", p.mass, "kg", 0.05, 5e3);
-  units.expect("pendulum.inertia_cg", p.inertia_cg, "kg m2", 0.0, 1e4);
-  units.expect("pendulum.cg_distance", p.cg_distance, "m", 0.0, 20.0);
-  units.expect("pendulum.impactor_distance", p.impactor_distance, "m", 0.01, 20.0);
-  units.expect("pendulum.impactor_radius", p.impactor_radius, "m", 1e-3, 2.0);
-  units.expect("pendulum.initial_angle", pendulum.initial.angle, "rad", -turn, turn);
+  const auto expect = [&](const char* key, double value, const char* unit, double low, double high) {
+    units.expect(pendulum.path + '.' + key, value, unit, low, high);
+  };
+  expect("mass", p.mass, "kg", 0.05, 5e3);
+  expect("inertia_cg", p.inertia_cg, "kg m2", 0.0, 1e4);
+  expect("cg_distance", p.cg_distance, "m", 0.0, 20.0);
+  expect("impactor_distance", p.impactor_distance, "m", 0.01, 20.0);
+  if (pendulum.path == "pendulum") expect("impactor_radius", p.impactor_radius, "m", 1e-3, 2.0);
+  expect("initial_angle", pendulum.initial.angle, "rad", -turn, turn);
+}
+
+void check_body(const Scene& scene, UnitWarnings& units) {
+  const coupling::RigidBodyParameters& p = scene.body->model.parameters();
+  units.expect("impactor.motion.mass", p.mass, "kg", 0.05, 5e3);
+  units.expect("impactor.motion.velocity", p.velocity.norm(), "m/s", 0.0, 100.0);
+  units.expect("impactor.motion.angular_velocity", p.angular_velocity.norm(), "rad/s", 0.0, 1e3);
+  if (scene.body->model.is_free())
+    units.expect("impactor.motion.inertia", p.inertia.trace(), "kg m2", 1e-8, 1e4);
+  units.expect("impactor.shape", coupling::reach_of(scene.impactor), "m", 1e-3, 2.0);
 }
 
 void check_bag(Scene& scene, UnitWarnings& units) {
@@ -102,6 +115,7 @@ void warn_of_units(Scene& scene) {
   check_gas(scene, units);
   if (scene.bag) check_bag(scene, units);
   if (scene.pendulum) check_pendulum(*scene.pendulum, units);
+  if (scene.body) check_body(scene, units);
 }
 
 }  // namespace driver

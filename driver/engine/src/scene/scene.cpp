@@ -12,6 +12,7 @@
 #include "base/number_text.hpp"
 #include "base/progress.hpp"
 #include "engine/channel_filter.hpp"
+#include "scene/gas_curve.hpp"
 #include "scene/plausibility.hpp"
 #include "scene/read_bag.hpp"
 #include "scene/read_gas.hpp"
@@ -23,12 +24,30 @@ namespace driver {
 namespace {
 
 bool will_move(const TableReader& root) {
-  return root.has("membrane") || root.has("pendulum");
+  return root.has("membrane") || root.has("pendulum") || root.has("impactor");
 }
 
 // What a molecule of air flies between two collisions, 68 nm at 464 m/s, takes a seventh of it: no gas flows
 // in less.
 constexpr Bounds shortest_run{1e-9, any_number.high, false, "1e-9 or more", "s"};
+
+// Of the frame of a module that moves: the sled's deceleration acts on all that rides along.
+void read_field(TableReader& scene_table, Scene& scene) {
+  TableReader table = scene_table.table("gravity");
+  const std::vector<double> times = table.at("time").numbers(any_number.in("s"));
+  const std::vector<Eigen::Vector3d> rows = table.at("value").vectors("m/s²");
+  if (times.size() != rows.size())
+    table.fail("value", fmt::format("has {} rows, time has {}", rows.size(), times.size()));
+  table.located("time", [&] {
+    const auto component = [&](int c) {
+      CurveData curve{times, {}};
+      for (const Eigen::Vector3d& row : rows) curve.value.push_back(row[c]);
+      return to_gas_curve(curve, gas::Outside::zero);
+    };
+    scene.field = {component(0), component(1), component(2)};
+  });
+  table.finish();
+}
 
 void read_general(TableReader& root, Scene& scene) {
   TableReader table = root.table("scene");
@@ -36,8 +55,11 @@ void read_general(TableReader& root, Scene& scene) {
   scene.name = table.at("name").text();
   scene.time.end = table.at("end_time").number(shortest_run);
   if (table.has("gravity") && !will_move(root))
-    table.fail("gravity", "has no effect: nothing moves; it needs [membrane] or [pendulum]");
-  if (will_move(root)) scene.gravity = table.at("gravity").vector("m/s²", Eigen::Vector3d::Zero());
+    table.fail("gravity", "has no effect: nothing moves; it needs [membrane], [pendulum] or [impactor]");
+  if (table.is_table("gravity"))
+    read_field(table, scene);
+  else if (will_move(root))
+    scene.gravity = table.at("gravity").vector("m/s²", Eigen::Vector3d::Zero());
   table.finish();
 }
 
@@ -126,8 +148,8 @@ void read_streams(TableReader& table, Scene& scene) {
 }
 
 void read_channel_classes(TableReader& table, Scene& scene) {
-  if (!scene.pendulum) {
-    if (table.has("channel_classes")) table.fail("channel_classes", "the scene has no pendulum");
+  if (!scene.has_impactor()) {
+    if (table.has("channel_classes")) table.fail("channel_classes", "the scene has no impactor");
     return;
   }
   scene.output.channel_classes = table.at("channel_classes").some_of(channel_classes);
@@ -171,7 +193,7 @@ void check_composition(const TableReader& root, const Scene& scene) {
   if (scene.target && scene.jets.empty())
     root.fail("target", "needs an inflator with a jet ([inflator.jet])");
   if (!scene.gas && !scene.moves() && !scene.target)
-    root.fail("", "has nothing to simulate: add [gas], [membrane] or [pendulum]");
+    root.fail("", "has nothing to simulate: add [gas], [membrane], [pendulum] or [impactor]");
   if (scene.gas && !scene.has_volume() && !scene.gas->model.vents.empty())
     root.fail("vent", "needs a volume, [tank] or [membrane]");
   if (scene.gas && !scene.has_volume() && scene.gas->model.triggers.size() > 0)
@@ -179,7 +201,8 @@ void check_composition(const TableReader& root, const Scene& scene) {
   for (const auto& sensor : scene.gas ? scene.gas->model.triggers.sensors : std::vector<gas::Sensor>{})
     if (sensor.kind == gas::SensorKind::input && !scene.contact)
       root.fail("sensor", "of contact: the scene has no [contact]");
-  if (scene.pendulum && !scene.bag && !scene.time.step) root.fail("time", "needs step for a pendulum alone");
+  if (scene.has_impactor() && !scene.bag && !scene.time.step)
+    root.fail("time", fmt::format("needs step for {} alone", scene.pendulum ? "a pendulum" : "an impactor"));
 }
 
 }  // namespace
@@ -188,8 +211,8 @@ namespace {
 
 void read_parts(CaseDocument& document, const MeshReader& read_mesh, Scene& scene) {
   TableReader root = document.root();
-  root.allow_only({"ambient", "contact", "fabric", "gas", "inflator", "membrane", "output", "pendulum",
-                   "scene", "sensor", "tank", "target", "time", "trigger", "vent"});
+  root.allow_only({"ambient", "contact", "fabric", "gas", "impactor", "inflator", "membrane", "output",
+                   "pendulum", "scene", "sensor", "tank", "target", "time", "trigger", "vent"});
   read_general(root, scene);
   auto ambient = read_ambient(root, scene);
   auto inflators = root.tables("inflator");

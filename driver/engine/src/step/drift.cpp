@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/energy_terms.hpp"
+#include "engine/impactor.hpp"
 #include "membrane/time_step.hpp"
 
 namespace driver {
@@ -17,7 +18,7 @@ namespace {
 
 // The shares of (M.22) and (M.24) were measured at 0.8 of the limit; `safety` is 0.95 by default.
 constexpr double measured = 0.8 / 0.95;
-constexpr double growth = 1.01;  // of the limit in a step: a spring that has just opened closes again
+constexpr double limit_growth = 1.01;  // of the limit in a step: a spring that has just opened closes again
 
 // Sensible energies count from the internal energy at ambient temperature. p V is there because gas at that
 // temperature has none.
@@ -26,10 +27,6 @@ double gas_scale(const State& state) {
   return std::max({level.flows.enthalpy_in - level.ambient.inflow,
                    std::abs(level.internal_energy - level.ambient.held),
                    state.gas_point.pressure * level.volume});
-}
-
-double pendulum_weight(const Scene& scene, const State& state) {
-  return state.pendulum ? scene.pendulum->model.potential_energy(state.level.pendulum_angle) : 0.0;
 }
 
 // That the limit of level n may draw on [J].
@@ -100,13 +97,13 @@ double smallest_energy(const Scene& scene) {
 
 double energy_scale(const Scene& scene, const State& state) {
   const double kinetic = sum_of(Role::kinetic, scene, state), elastic = sum_of(Role::elastic, scene, state);
-  return std::max({gas_scale(state), kinetic, std::abs(pendulum_weight(scene, state)), elastic,
+  return std::max({gas_scale(state), kinetic, std::abs(impactor_weight(scene, state)), elastic,
                    state.start.smallest_energy});
 }
 
 double mechanical_energy(const Scene& scene, const State& state) {
   return sum_of(Role::kinetic, scene, state) + sum_of(Role::elastic, scene, state) +
-         std::abs(pendulum_weight(scene, state));
+         std::abs(impactor_weight(scene, state));
 }
 
 double mechanical_drift(const State& state) {
@@ -127,7 +124,7 @@ double drift_limit(const Scene& scene, const State& state) {
   const double mobility = start ? membrane::force_mobility(model, *state.bag) : state.step.force_mobility;
   return std::min(
       measured * membrane::energy_time_step(model, *state.bag, energy_at_hand(state), mobility, start),
-      growth * state.step.drift_limit);
+      limit_growth * state.step.drift_limit);
 }
 
 double kink_limit(const Scene& scene, const State& state) {

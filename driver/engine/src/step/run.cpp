@@ -14,6 +14,7 @@
 #include "base/progress.hpp"
 #include "coupling/side.hpp"
 #include "engine/drift.hpp"
+#include "engine/impactor.hpp"
 #include "engine/schedule.hpp"
 #include "engine/stage_clock.hpp"
 #include "engine/stages.hpp"
@@ -154,18 +155,14 @@ void note_untouched(const Scene& scene, const State& state, RunOutcome& outcome)
   if (scene.target && !(state.peaks.jet_force > 0.0))
     outcome.notes.emplace_back("target: no jet ever met it");
   if (!scene.contact || state.peaks.first_contact >= 0.0 || !sees_all_inflow(scene)) return;
-  const auto& model = scene.pendulum->model;
-  const auto gap = [&](const Eigen::Matrix3Xd& nodes, double angle) {
-    return coupling::smallest_gap(scene.bag->mesh.elements, nodes,
-                                  coupling::Sphere{model.parameters().impactor_radius},
-                                  {model.impactor_centre(angle)})
-        .distance;
+  const auto gap = [&](const Eigen::Matrix3Xd& nodes, const coupling::Pose& pose) {
+    return coupling::smallest_gap(scene.bag->mesh.elements, nodes, scene.impactor, pose).distance;
   };
-  outcome.notes.push_back(
-      fmt::format("pendulum: the impactor never touched the bag: its distance was {:.3g} m at the start and "
-                  "{:.3g} m at the end",
-                  gap(scene.bag->initial_position, scene.pendulum->initial.angle),
-                  gap(state.bag->position.map(), state.level.pendulum_angle)));
+  outcome.notes.push_back(fmt::format(
+      "{}: the impactor never touched the bag: its distance was {:.3g} m at the start and {:.3g} m at the "
+      "end",
+      scene.pendulum ? "pendulum" : "impactor", gap(scene.bag->initial_position, impactor_start(scene)),
+      gap(state.bag->position.map(), state.level.impactor)));
 }
 
 }  // namespace

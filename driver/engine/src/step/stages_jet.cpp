@@ -15,7 +15,7 @@ struct Skin {
 
 Skin elements(const Scene& scene, const State& state) {
   if (state.bag) return {state.bag->position.map(), state.bag->area_vector.map(), state.bag->centroid.map()};
-  return {scene.target->nodes, state.target_area_vectors.map(), state.target_centroids.map()};
+  return {scene.target->nodes, state.target.area_vectors.map(), state.target.centroids.map()};
 }
 
 Skin asked(const Skin& elements, const JetPart& part, const JetRun& run) {

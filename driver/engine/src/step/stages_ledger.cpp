@@ -7,6 +7,7 @@
 
 #include "engine/drift.hpp"
 #include "engine/energy_terms.hpp"
+#include "engine/impactor.hpp"
 #include "engine/stages.hpp"
 
 namespace driver {
@@ -20,13 +21,21 @@ void book_kick(const Scene& scene, State& state, bool last) {
   if (state.contact.area > 0.0) {
     const double tau = 0.5 * (state.step.before + (last ? 0.0 : state.step.after));
     state.flows.contact_impulse += tau * state.contact.force.norm();
-    state.flows.path_impulse +=
-        tau * state.pendulum->contact_moment / scene.pendulum->model.parameters().impactor_distance;
+    const double along =
+        state.pendulum ? state.pendulum->contact_moment / scene.pendulum->model.parameters().impactor_distance
+                       : state.body->contact.force.dot(impactor_path(scene, state));
+    state.flows.path_impulse += tau * along;
   }
   const StepSizes& step = state.step;
   if (state.pendulum) {
     state.flows.driving_work += state.pendulum->driving_work;
     state.level.flows.driving_work += state.pendulum->driving_work_before;
+  }
+  if (state.body) {
+    state.flows.driving_work += state.body->driving_work;
+    state.level.flows.driving_work += state.body->driving_work_before;
+    state.flows.impactor_damping += state.body->kick.damping_loss;
+    state.level.flows.impactor_damping += kick_share(step) * state.body->kick.damping_loss;
   }
   if (!state.bag) return;
   const auto& work = state.bag->advance.work;
@@ -36,6 +45,11 @@ void book_kick(const Scene& scene, State& state, bool last) {
   if (scene.bag->overpressure) {
     state.flows.pressure_work += work.pressure;
     state.level.flows.pressure_work += work_before_level(step, state.level.pressure_power, work.pressure);
+  }
+  if (scene.field) {
+    state.flows.driving_work += work.gravity;
+    state.level.flows.driving_work +=
+        work_before_level(step, state.level.field.dot(state.bag->advance.momentum_before), work.gravity);
   }
   if (scene.jets.empty()) return;
   const double jet_before = work_before_level(step, state.level.jet_power, work.jet);
@@ -49,12 +63,14 @@ void book_kick(const Scene& scene, State& state, bool last) {
 
 double kinetic_after(const State& state) {
   return (state.bag ? state.bag->advance.kinetic_after : 0.0) +
-         (state.pendulum ? state.pendulum->kinetic_after : 0.0);
+         (state.pendulum ? state.pendulum->kinetic_after : 0.0) +
+         (state.body ? state.body->kick.kinetic_after : 0.0);
 }
 
 double kinetic_before(const State& state) {
   return (state.bag ? state.bag->advance.kinetic_before : 0.0) +
-         (state.pendulum ? state.pendulum->kinetic_before : 0.0);
+         (state.pendulum ? state.pendulum->kinetic_before : 0.0) +
+         (state.body ? state.body->kick.kinetic_before : 0.0);
 }
 
 // Inner forces and the pressure on a closed skin sum to zero: their resultant against the sum of magnitudes.
@@ -89,6 +105,10 @@ void book_peaks(const Scene& scene, State& state) {
   if (state.pendulum) {
     peaks.pendulum_angle = std::max(peaks.pendulum_angle, std::abs(state.level.pendulum_angle));
     peaks.cg_acceleration = std::max(peaks.cg_acceleration, state.pendulum->acceleration.resultant);
+  }
+  if (state.body) {
+    peaks.displacement = std::max(peaks.displacement, std::abs(state.body->displacement));
+    peaks.acceleration = std::max(peaks.acceleration, state.body->acceleration.norm());
   }
   if (state.contact.area > 0.0 && peaks.first_contact < 0.0) peaks.first_contact = state.time;
   peaks.contact_force = std::max(peaks.contact_force, state.contact.force.norm());

@@ -7,6 +7,7 @@
 
 #include "engine/channel_filter.hpp"
 #include "engine/drift.hpp"
+#include "engine/impactor.hpp"
 #include "engine/stages.hpp"
 #include "step/step_limits.hpp"
 
@@ -24,7 +25,7 @@ double jet_damping(const Scene& scene, const State& state) {
 
 void update_bound(const Scene& scene, State& state) {
   if (!state.bag) {
-    const double swing = state.pendulum ? scene.pendulum->model.omega_squared(Eigen::Vector3d::Zero()) : 0.0;
+    const double swing = scene.has_impactor() ? impactor_omega_squared(scene, Eigen::Vector3d::Zero()) : 0.0;
     state.step.critical = swing > 0.0 ? 2.0 / std::sqrt(swing) : std::numeric_limits<double>::infinity();
     return;
   }

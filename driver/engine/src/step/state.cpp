@@ -36,14 +36,14 @@ void start_gas(const Scene& scene, State& state) {
 void start_target(const Scene& scene, State& state) {
   const auto& target = *scene.target;
   const int count = static_cast<int>(target.triangles.cols());
-  state.target_area_vectors = membrane::Vectors(count);
-  state.target_centroids = membrane::Vectors(count);
+  state.target.area_vectors = membrane::Vectors(count);
+  state.target.centroids = membrane::Vectors(count);
   for (int e = 0; e < count; ++e) {
     const Eigen::Vector3d a = target.nodes.col(target.triangles(0, e));
     const Eigen::Vector3d b = target.nodes.col(target.triangles(1, e));
     const Eigen::Vector3d c = target.nodes.col(target.triangles(2, e));
-    state.target_area_vectors.map().col(e) = 0.5 * (b - a).cross(c - a);
-    state.target_centroids.map().col(e) = ((a + b) + c) / 3.0;
+    state.target.area_vectors.map().col(e) = 0.5 * (b - a).cross(c - a);
+    state.target.centroids.map().col(e) = ((a + b) + c) / 3.0;
   }
 }
 
@@ -106,6 +106,10 @@ State make_state(const Scene& scene) {
   if (scene.pendulum) {
     state.pendulum.emplace();
     state.pendulum->motion = scene.pendulum->initial;
+  }
+  if (scene.body) {
+    state.body.emplace();
+    state.body->motion = scene.body->model.initial();
   }
   if (scene.contact) state.contact_cache = scene.contact->make_state();
   if (scene.skin_contact) state.skin_contact_cache = scene.skin_contact->make_state();

@@ -93,7 +93,7 @@ double approach_limit(const Scene& scene, const State& state) {
 }
 
 void refuse_step(const Scene& scene, const State& state, double given) {
-  std::string cause = "the pendulum's swing";
+  std::string cause = state.pendulum ? "the pendulum's swing" : "the springs of the impactor's rail";
   if (state.bag) cause = shares_text(scene, state);
   throw StepError(fmt::format(
       "time.step = {:.3g} s is unstable: the limit is {:.3g} s ({}). Lower time.step, leave it out, or "

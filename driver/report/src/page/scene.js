@@ -55,6 +55,13 @@ const rampColour = share => {
   return ramp[i].map((low, c) => low + (x - i) * (ramp[i + 1][c] - low));
 };
 
+const surface = ({ nodes_m, triangles }) => {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(nodes_m.flat(), 3));
+  geometry.setIndex(triangles.flat());
+  geometry.computeVertexNormals();
+  return geometry;
+};
 const vector = list => new THREE.Vector3(...list);
 
 class View {
@@ -108,7 +115,7 @@ class View {
   }
 
   makeSurroundings() {
-    const { straps, plates, jets, pendulum } = this.frames.header, grey = 0x8a929c;
+    const { straps, plates, jets, pendulum, impactor } = this.frames.header, grey = 0x8a929c;
     this.straps = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xd03030 }));
     this.straps.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(6 * straps.length), 3));
     this.straps.frustumCulled = false;
@@ -123,13 +130,16 @@ class View {
       this.scene.add(plate);
     }
     this.jets = jets.map(jet => this.makeJet(jet));
-    if (!pendulum) return;
+    if (!pendulum && !impactor) return;
     const metal = new THREE.MeshPhongMaterial({ color: 0x5a6470, shininess: 40 });
-    this.impactor = new THREE.Mesh(new THREE.SphereGeometry(pendulum.radius_m, 32, 20), metal);
+    this.impactor = new THREE.Mesh(pendulum ? new THREE.SphereGeometry(pendulum.radius_m, 32, 20) : surface(impactor), metal);
+    this.scene.add(this.impactor);
+    const pivot = (pendulum ?? impactor).pivot_m;
+    if (!pivot) return;
     this.arm = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x5a6470 }));
-    this.arm.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([...pendulum.pivot_m, 0, 0, 0]), 3));
+    this.arm.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([...pivot, 0, 0, 0]), 3));
     this.arm.frustumCulled = false;
-    this.scene.add(this.impactor, this.arm);
+    this.scene.add(this.arm);
   }
 
   // The outlet's rim, and rims of the jet's edge along its axis.
@@ -186,6 +196,10 @@ class View {
     if (this.impactor) {
       const centre = [f.s.impactor_x_m, f.s.impactor_y_m, f.s.impactor_z_m];
       this.impactor.position.set(...centre);
+      if (header.impactor) this.impactor.quaternion.set(f.s.impactor_turn_x, f.s.impactor_turn_y, f.s.impactor_turn_z, f.s.impactor_turn_w);
+    }
+    if (this.arm) {
+      const centre = [f.s.impactor_x_m, f.s.impactor_y_m, f.s.impactor_z_m];
       this.arm.geometry.attributes.position.array.set(centre, 3);
       this.arm.geometry.attributes.position.needsUpdate = true;
     }

@@ -16,14 +16,15 @@ class AccelerationRecord {
  public:
   /// Called like a LevelSink. Precondition: the scene has a pendulum.
   void add(bool recorded, const State& now);
-  const PlanarSignal& signal() const { return signal_; }
+  const VectorSignal& signal() const { return signal_; }
   /// [m/s2] its magnitude at the rows, filtered by a channel class; zero for a run of one step.
   std::vector<double> at_rows(int channel_class) const;
   /// Lines of a CSV file: header, then the times of the rows and the magnitude filtered by each class.
   std::string table(const std::vector<int>& classes) const;
 
  private:
-  PlanarSignal signal_;
+  VectorSignal signal_;
+  bool of_pendulum_ = true;
   std::vector<std::size_t> rows_;  // positions of the rows in the signal
   std::vector<double> times_;      // [s] of the rows
   double level_ = 0.0;             // [s] time of the next step

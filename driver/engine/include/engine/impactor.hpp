@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The impactor of a scene, whatever carries it: a pendulum, a rail, or nothing.
+#pragma once
+
+#include "engine/scene.hpp"
+#include "engine/state.hpp"
+
+namespace driver {
+
+/// Its place at the start.
+coupling::Pose impactor_start(const Scene& scene);
+
+/// How far it may be on its way.
+struct ImpactorMotion {
+  coupling::Pose pose;                             // at level n
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();  // [rad] since the last level
+  double speed = 0.0;                              // [m/s] of its fastest point, at n-1/2
+};
+ImpactorMotion impactor_motion(const Scene& scene, const State& state);
+
+/// [m] Farthest point of the shape from its centre; 0 for what looks the same however it turns.
+double turning_reach(const coupling::Impactor& shape);
+
+/// [kg] Mass that a force at the impactor feels at least.
+double impactor_mass(const Scene& scene);
+/// Bound of omega^2 [1/s2] of what carries it, under that contact force.
+double impactor_omega_squared(const Scene& scene, const Eigen::Vector3d& force);
+/// [-] Direction of its path at level n; zero if it has none.
+Eigen::Vector3d impactor_path(const Scene& scene, const State& state);
+/// [J] Potential energy of its weight at level n, less that at the start.
+double impactor_weight(const Scene& scene, const State& state);
+
+}  // namespace driver
