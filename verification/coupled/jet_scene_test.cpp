@@ -157,4 +157,55 @@ TEST(jet_scene, peak_force_is_the_greatest_of_all_steps) {
   EXPECT_EQ(state.peaks.jet_force, greatest);
 }
 
+// The inflators of the case jet_bag, anew: flow [kg/s] at the peak, and TOML of the jets.
+std::string inflator(double flow, const std::string& jets) {
+  return "{ composition = { N2 = 1.0 }, temperature = 600.0, mass_flow = { time = [0.0, 0.005, 0.015], value "
+         "= "
+         "[0.0, " +
+         std::to_string(flow) + ", 0.0] }, jet = " + jets + " }";
+}
+std::string outlet(const std::string& axis, const std::string& more = "") {
+  return "{ shape = 'round', centre = [0, 0, 0], radius = 0.02, outlet_type = 'contracting_nozzle', outlet = "
+         "'pressure_matched', temperature = 'stagnation', jet_work = 'from_gas', axis = " +
+         axis + more + " }";
+}
+std::vector<coupled::Row> history_with(const std::string& inflators) {
+  const auto run = coupled::run_case("jet_bag", {"inflator=[" + inflators + "]"});
+  EXPECT_EQ(run.outcome.status, driver::RunStatus::done) << run.outcome.message;
+  return run.history;
+}
+
+TEST(jet_scene, outlets_of_one_inflator_eq_inflators_with_their_shares_and_a_ring) {
+  const auto one = history_with(inflator(
+      1.0, '[' + outlet("[1, 0, 0]", ", share = 0.5") + ", " + outlet("[-1, 0, 0]", ", share = 0.5") + ']'));
+  const auto apart =
+      history_with(inflator(0.5, outlet("[1, 0, 0]")) + ", " + inflator(0.5, outlet("[-1, 0, 0]")));
+  const auto ring =
+      history_with(inflator(1.0, outlet("[0, 0, 1]", ", ring = { holes = 2, first = [1, 0, 0] }")));
+  ASSERT_EQ(one.size(), apart.size());
+  ASSERT_EQ(one.size(), ring.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_NEAR(one[i].at("pressure_Pa"), apart[i].at("pressure_Pa"), 1e-6) << i;
+    EXPECT_NEAR(one[i].at("pressure_Pa"), ring[i].at("pressure_Pa"), 1e-6) << i;
+  }
+  EXPECT_GT(one.back().at("pressure_Pa"), 1.1e5);
+  EXPECT_EQ(coupled::scene_of("ring_jet").jets.size(), 7u);
+}
+
+TEST(jet_scene, outlets_that_are_none_are_refused_where_they_stand) {
+  for (const auto& [jets, says] : std::initializer_list<std::pair<std::string, const char*>>{
+           {'[' + outlet("[1, 0, 0]", ", share = 0.5") + ", " + outlet("[-1, 0, 0]", ", share = 0.6") + ']',
+            "inflator.0.jet.1.share: the shares of this inflator's outlets sum to 1.1, needed: 1"},
+           {'[' + outlet("[1, 0, 0]") + ']', "inflator.0.jet.0.share: is missing"},
+           {outlet("[1, 0, 0]", ", share = 0.5"), "share"},
+           {outlet("[1, 0, 0]", ", ring = { holes = 1 }"), "ring.holes"},
+           {outlet("[1, 0, 0]", ", ring = { first = [2, 0, 0] }"), "ring.first: is along the axis"}})
+    try {
+      coupled::scene_of("jet_bag", {"inflator=[" + inflator(1.0, jets) + ']'});
+      ADD_FAILURE() << says;
+    } catch (const driver::CaseError& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
+}
+
 }  // namespace

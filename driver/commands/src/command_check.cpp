@@ -191,7 +191,7 @@ void print_jet(const Scene& scene, const JetPart& part) {
   fmt::print(
       "jet of inflator {}: at its peak ({}) V{} = {:.5g} m/s, rho{} = {:.4g} kg/m3{}, outlet pressure "
       "{:.4g} Pa ({}), momentum {:.4g} N; cut-off loses {:.2g} of it\n",
-      part.inflator, peak_text(scene, part.inflator, peak.time), index, peak.outlet.velocity, index,
+      part.name, peak_text(scene, part.inflator, peak.time), index, peak.outlet.velocity, index,
       peak.outlet.density,
       *index ? ""
              : fmt::format(" at the notional nozzle, {:.3g} times the outlet's area", peak.outlet.area_ratio),

@@ -104,7 +104,7 @@ std::string jetting_of(DeckFormat format) {
 void note_jets(const Scene& scene, Deck& deck) {
   for (const JetPart& part : scene.jets) {
     const jet::JetModel& model = part.field.model();
-    std::string text = fmt::format("jet of inflator {}: not written. ", part.inflator);
+    std::string text = fmt::format("jet of inflator {}: not written. ", part.name);
     if (model.shape == jet::OutletShape::round)
       text += fmt::format(
           "Its far field is the product of a function of the angle and a function of the distance, about a "

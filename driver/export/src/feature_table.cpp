@@ -104,6 +104,8 @@ const std::vector<Feature>& features() {
        {Mapping::exact, "the curves are shifted"}},
       {"inflator.trigger", trigger, trigger},
       {"inflator.jet", jet, jet},
+      {"inflator.jet.share", jet, jet},
+      {"inflator.jet.ring", jet, jet},
       {"inflator.jet.shape", jet, jet},
       {"inflator.jet.centre", jet, jet},
       {"inflator.jet.axis", jet, jet},

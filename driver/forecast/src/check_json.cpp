@@ -142,6 +142,7 @@ Json jets_of(const Scene& scene) {
     const JetPeak peak = jet_peak(scene, part);
     const JetPush push = jet_push(scene, part);
     jets.push_back({{"inflator_number", part.inflator},
+                    {"share", part.share},
                     {"peak_time_s", peak.time},
                     {"peak_velocity_m_s", peak.outlet.velocity},
                     {"peak_density_kg_m3", peak.outlet.density},

@@ -85,10 +85,12 @@ void add_gas(const Scene& scene, const State& state, const Forecast& f, Groups& 
 
 // A jet's names in the groups.
 std::string key_of(const JetPart& part) {
-  return fmt::format("_{}", part.inflator);
+  std::string key = '_' + part.name;
+  std::ranges::replace(key, '.', '_');
+  return key;
 }
 std::string text_of(const JetPart& part) {
-  return fmt::format("jet {}: ", part.inflator);
+  return fmt::format("jet {}: ", part.name);
 }
 
 void add_jet_forces(const Scene& scene, const JetPart& part, const jet::OutletState& outlet,

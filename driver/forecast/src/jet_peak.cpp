@@ -19,20 +19,20 @@ void warn_of_outlet(const Scene& scene, const JetPart& part, std::vector<std::st
   const JetPeak peak = jet_peak(scene, part);
   const double ambient = scene.ambient.pressure;
   if (!(peak.mass_flow > 0.0))
-    warnings.push_back(fmt::format("jet of inflator {}: no flow up to the end", part.inflator));
+    warnings.push_back(fmt::format("jet of inflator {}: no flow up to the end", part.name));
   else if (peak.outlet.pressure < ambient)
     warnings.push_back(
         fmt::format("jet of inflator {}: the outlet pressure is below ambient even at the peak of the mass "
                     "flow, so a sonic outlet of that area cannot blow into the bag; use outlet = "
                     "\"pressure_matched\" with temperature = \"stagnation\"",
-                    part.inflator));
+                    part.name));
   else if (const double share = below_sonic_share(scene, part);
            part.outlet.law == jet::OutletLaw::sonic && share >= kMatters)
     warnings.push_back(
         fmt::format("jet of inflator {}: outlet = \"sonic\" (the paper's form) lets the outlet pressure fall "
                     "below ambient at less than {:.3g} kg/s, for {:.2g} of the gas; use a smaller outlet, or "
                     "outlet = \"pressure_matched\" with temperature = \"stagnation\"",
-                    part.inflator, peak.mass_flow * ambient / peak.outlet.pressure, share));
+                    part.name, peak.mass_flow * ambient / peak.outlet.pressure, share));
 }
 
 jet::OutletModel sonic(jet::OutletModel model) {
@@ -48,7 +48,7 @@ void warn_of_restitution(const JetPart& part, std::vector<std::string>& warnings
     warnings.push_back(fmt::format(
         "jet of inflator {}: restitution is {}: a plate in free air has 0, the paper 1; values below 0 or "
         "above 1 were computed for closed bags only (docs/theory/jet_push.md)",
-        part.inflator, low < high ? fmt::format("{:.3g} to {:.3g}", low, high) : fmt::format("{:.3g}", low)));
+        part.name, low < high ? fmt::format("{:.3g} to {:.3g}", low, high) : fmt::format("{:.3g}", low)));
 }
 
 // Distance [m] that the jet has to cover.
@@ -79,7 +79,7 @@ void warn_of_cone(const Scene& scene, const JetPart& part, std::vector<std::stri
         fmt::format("jet of inflator {}: spread = \"cone\" has {:.2g} times the outlet's momentum at {:.2g} "
                     "m from it, so its force is too large by this factor; use a smaller cone_half_angle, or "
                     "spread = \"momentum\", which conserves it",
-                    part.inflator, largest, where));
+                    part.name, largest, where));
 }
 
 void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::string>& warnings) {
@@ -95,7 +95,7 @@ void warn_of_rays(const Scene& scene, const JetPart& part, std::vector<std::stri
   if (other > 0)
     warnings.push_back(
         fmt::format("jet of inflator {}: {} of {} tested rays start where the winding number is not 1",
-                    part.inflator, other, windings.size()));
+                    part.name, other, windings.size()));
 }
 
 // Warns that an outlet stays in place while its jet drives a free bag away.
@@ -104,7 +104,7 @@ void warn_of_free_bag(const Scene& scene, std::vector<std::string>& warnings) {
   const bool held = !bag.fixed_nodes.empty() ||
                     std::ranges::any_of(bag.held_nodes, [](const auto& n) { return !n.empty(); });
   Eigen::Vector3d thrust = Eigen::Vector3d::Zero();
-  for (const JetPart& part : scene.jets) thrust += part.field.model().axis;
+  for (const JetPart& part : scene.jets) thrust += part.share * part.field.model().axis;
   if (!held && thrust.norm() > 0.1)
     warnings.emplace_back(
         "nothing holds the bag against its jet: it may fly off the outlet, which does not move; hold it by "
@@ -121,7 +121,7 @@ double cone_gain(const jet::JetModel& cone, double distance) {
 }
 
 JetPeak jet_peak(const Scene& scene, const JetPart& part) {
-  const auto [time, point] = inflator_peak(scene, part.inflator);
+  const auto [time, point] = outlet_peak(scene, part);
   const jet::OutletInput input{point.mass_flow, point.temperature, point.cp, point.gas_constant,
                                pressure_around(scene)};
   return {time, point.mass_flow, jet::outlet_state(part.outlet, input),
@@ -137,8 +137,9 @@ double below_sonic_share(const Scene& scene, const JetPart& part) {
   const jet::OutletModel outlet_model = sonic(part.outlet);
   double all = 0.0, below = 0.0;
   for (int i = 0; i < pieces && end > 0.0; ++i) {
-    const auto point =
+    auto point =
         gas::inflator_point(scene.gas->model, part.inflator, inflow.start_time + end * (i + 0.5) / pieces);
+    point.mass_flow *= part.share;
     if (!(point.mass_flow > 0.0)) continue;
     const auto outlet = jet::outlet_state(outlet_model, {point.mass_flow, point.temperature, point.cp,
                                                          point.gas_constant, scene.ambient.pressure});

@@ -46,7 +46,7 @@ Range restitution(const JetPart& part) {
 
 JetPush jet_push(const Scene& scene, const JetPart& part) {
   const JetPeak peak = jet_peak(scene, part);
-  const gas::InflatorPoint gas = inflator_peak(scene, part.inflator).point;
+  const gas::InflatorPoint gas = outlet_peak(scene, part).point;
   const double around = pressure_around(scene), area = part.outlet.area;
   const bool at_rest = part.outlet.temperature == jet::OutletTemperature::stagnation;
   JetPush push;
@@ -80,9 +80,9 @@ std::optional<RestitutionRange> restitution_range(const Scene& scene, const jet:
 
 MissingEnergy missing_energy(const Scene& scene, const JetPart& part) {
   const auto& inflow = scene.gas->model.inflows[part.inflator];
-  const gas::InflatorPoint peak = inflator_peak(scene, part.inflator).point;
+  const gas::InflatorPoint peak = outlet_peak(scene, part).point;
   const double heat =
-      gas::product_integral(inflow.mass_flow, inflow.temperature, 0.0, duration(scene, inflow));
+      part.share * gas::product_integral(inflow.mass_flow, inflow.temperature, 0.0, duration(scene, inflow));
   MissingEnergy missing;
   missing.energy = 0.5 * peak.gamma * peak.gas_constant * heat;  // V0^2 = gamma R T
   if (!scene.bag) return missing;

@@ -41,8 +41,17 @@ void CaseSettings::unset(std::vector<std::string>& overrides, const std::string&
   if (has(path)) overrides.push_back(std::string(unset_prefix) + path);
 }
 
+std::vector<std::string> CaseSettings::without_jets(const Scene& scene) {
+  std::vector<std::string> overrides;
+  for (const JetPart& jet : scene.jets)
+    overrides.push_back(fmt::format("{}inflator.{}.jet", unset_prefix, jet.inflator));
+  const auto rest = std::ranges::unique(overrides);
+  overrides.erase(rest.begin(), rest.end());
+  return overrides;
+}
+
 std::string CaseSettings::jet_key(const JetPart& jet, const char* key) {
-  return fmt::format("inflator.{}.jet.{}", jet.inflator, key);
+  return jet.path + '.' + key;
 }
 
 }  // namespace driver

@@ -29,6 +29,8 @@ class CaseSettings {
   void set(std::vector<std::string>& overrides, const std::string& path, const std::string& value) const;
   /// Adds what takes `path` out of the case, nothing if it is not given.
   void unset(std::vector<std::string>& overrides, const std::string& path) const;
+  /// Overrides that take out all jets.
+  static std::vector<std::string> without_jets(const Scene& scene);
   /// Path of a key of a jet.
   static std::string jet_key(const JetPart& jet, const char* key);
 

@@ -20,7 +20,7 @@ class Variants {
     if (scene_.jets.empty()) return leave_out(cost_no_jet, "the scene has none");
     if (scene_.target) return leave_out(cost_no_jet, "the scene is nothing else");
     std::vector<std::string> off;
-    for (const JetPart& jet : scene_.jets) off.push_back(fmt::format("unset inflator.{}.jet", jet.inflator));
+    for (auto& jets : CaseSettings::without_jets(scene_)) off.push_back(std::move(jets));
     add(cost_no_jet, std::move(off));
   }
 

@@ -23,7 +23,7 @@ class Effects {
   void jet() {
     if (scene_.jets.empty() || !scene_.bag) return;
     Overrides off;
-    for (const JetPart& jet : scene_.jets) off.push_back(fmt::format("unset inflator.{}.jet", jet.inflator));
+    for (auto& jets : CaseSettings::without_jets(scene_)) off.push_back(std::move(jets));
     effect("jet", {{"jet off", off}, {"jet on", {}}});
   }
 

@@ -47,7 +47,7 @@ std::vector<std::string> taken_out(const Scene& scene, const CaseSettings& setti
         "time.unsafe_step", "output.fields_every", "output.frames", "output.channel_classes"})
     settings.unset(list, key);
   if (scene.contact) list.emplace_back("unset contact");
-  for (const JetPart& jet : scene.jets) list.push_back(fmt::format("unset inflator.{}.jet", jet.inflator));
+  for (auto& jets : CaseSettings::without_jets(scene)) list.push_back(std::move(jets));
   return list;
 }
 

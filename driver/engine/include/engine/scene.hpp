@@ -75,9 +75,12 @@ struct TargetPart {
   Eigen::Matrix3Xi triangles;  // 3 x M, two for each cell
 };
 
-/// One jet.
+/// One jet, of an outlet of an inflator.
 struct JetPart {
   std::size_t inflator = 0;  // number of its inflator
+  std::string name;          // for messages: "0", or "0.2" of the third outlet of one with several
+  std::string path;          // of its table in the case
+  double share = 1.0;        // [-] of the inflator's flow
   /// Pieces of the elements; if given, field, roles and query are those of the pieces.
   std::optional<jet::Subdivision> pieces;
   jet::JetField field;

@@ -25,6 +25,8 @@ struct InflatorPeak {
   gas::InflatorPoint point{};
 };
 InflatorPeak inflator_peak(const Scene& scene, std::size_t inflator);
+/// The same of what flows through one outlet.
+InflatorPeak outlet_peak(const Scene& scene, const JetPart& part);
 
 /// Pressure [Pa] around an outlet, for estimates before a run: the ambient one, or that of the gas in a
 /// vacuum.

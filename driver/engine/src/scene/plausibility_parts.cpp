@@ -64,9 +64,9 @@ void warn_of_far_target(const TargetPart& target, Scene& scene) {
   for (const JetPart& part : scene.jets) {
     const double gap = (target.nodes.colwise() - part.field.model().centre).colwise().norm().minCoeff();
     if (gap > largest_bag)
-      scene.warnings.push_back(fmt::format(
-          "target is {:.4g} m from the outlet of inflator.{}.jet, usual are up to {:g} m: check its unit",
-          gap, part.inflator, largest_bag));
+      scene.warnings.push_back(
+          fmt::format("target is {:.4g} m from the outlet of {}, usual are up to {:g} m: check its unit", gap,
+                      part.path, largest_bag));
   }
 }
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <elementary/trigonometric.hpp>
 #include <numbers>
+#include <numeric>
+#include <string>
 
 #include "engine/supply.hpp"
 #include "jet/centreline.hpp"
@@ -28,6 +30,7 @@ const Bounds round_or_type{positive.low, positive.high, true,
                   "\"sharp_slot\" or \"rounded_slot\","};
 const Bounds below_one{0.0, std::nextafter(1.0, 0.0), false, "a number from 0 to below 1"};
 const Bounds restitution_range{-0.5, 4.0, false, "a number from -0.5 to 4"};
+const Bounds ring_angle{0.0, std::numbers::pi, true, "above 0, at most pi", "rad"};
 const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false, "0 to below pi/2",
                                "rad"};
 
@@ -135,24 +138,24 @@ jet::OutletModel read_outlet(TableReader& table, const jet::JetModel& model, con
 
 // The jet at its inflator's peak: an expanded one is wider than its outlet.
 jet::JetModel at_peak(const Scene& scene, const JetPart& part) {
-  const gas::InflatorPoint gas = inflator_peak(scene, part.inflator).point;
+  const gas::InflatorPoint gas = outlet_peak(scene, part).point;
   const jet::OutletState outlet = jet::outlet_state(
       part.outlet, {gas.mass_flow, gas.temperature, gas.cp, gas.gas_constant, pressure_around(scene)});
   return jet::widened(part.field.model(), outlet.area_ratio);
 }
 
-void warn_of_square_nozzle(const jet::JetModel& model, std::size_t inflator,
+void warn_of_square_nozzle(const jet::JetModel& model, const std::string& name,
                            std::vector<std::string>& warnings) {
   if (model.shape == jet::OutletShape::rectangular && model.short_side > model.long_side)
     warnings.push_back(fmt::format(
         "jet of inflator {}: its expansion makes the short side {:.3g} m at the peak, more than the long "
         "side of {:.3g} m, "
         "along which a wedge stays as it is: a round outlet of the same area spreads to all sides",
-        inflator, model.short_side, model.long_side));
+        name, model.short_side, model.long_side));
 }
 
 // Elements wider than the jet at its outlet sample it by chance; those of null panels do not.
-void warn_if_coarse(const jet::JetModel& model, std::size_t inflator, const Eigen::Matrix3Xd& nodes,
+void warn_if_coarse(const jet::JetModel& model, const JetPart& part, const Eigen::Matrix3Xd& nodes,
                     const Eigen::Matrix3Xi& elements, const std::vector<int>& null_elements, int subdivisions,
                     std::vector<std::string>& warnings) {
   double longest = 0.0;
@@ -165,8 +168,8 @@ void warn_if_coarse(const jet::JetModel& model, std::size_t inflator, const Eige
     warnings.push_back(fmt::format(
         "jet of inflator {}: element sides of up to {:.3g} m are too coarse for its width of {:.3g} m (1/e) "
         "at the outlet, so its force depends on where nodes happen to lie: use finer elements or "
-        "inflator.{}.jet.subdivisions",
-        inflator, longest, width, inflator));
+        "{}.subdivisions",
+        part.name, longest, width, part.path));
 }
 
 // A target behind the outlet, or facing the wrong way, would feel nothing: a slip.
@@ -191,70 +194,137 @@ std::vector<int> attachment_elements(TableReader& table, const Scene& scene) {
   return elements;
 }
 
-}  // namespace
+// Round holes on a circle: `model`, at its middle and along its axis, at each of them.
+std::vector<jet::JetModel> read_ring(TableReader& outlet, const jet::JetModel& model) {
+  if (!outlet.has("ring")) return {model};
+  if (model.shape != jet::OutletShape::round)
+    outlet.fail("ring", "is of round holes: shape is \"rectangular\"");
+  TableReader table = outlet.table("ring");
+  const int holes = table.at("holes").integer(2, 64, 8);
+  const double radius = table.at("radius").number(non_negative.in("m"), 0.0);
+  const double angle = table.at("angle").number(ring_angle, 0.5 * std::numbers::pi, "pi/2");
+  const Eigen::Vector3d axis = model.axis.normalized();
+  const Eigen::Vector3d first = table.at("first").vector("", axis.unitOrthogonal(), "any across the axis");
+  const Eigen::Vector3d across = first - first.dot(axis) * axis;
+  if (!(across.norm() > 1e-6 * first.norm())) table.fail("first", "is along the axis");
+  table.finish();
+  std::vector<jet::JetModel> ring;
+  for (int k = 0; k < holes; ++k) {
+    const double turn = 2.0 * std::numbers::pi * k / holes;
+    const Eigen::Vector3d outward =
+        elementary::cos(turn) * across.normalized() + elementary::sin(turn) * axis.cross(across.normalized());
+    ring.push_back(model);
+    ring.back().centre = model.centre + radius * outward;
+    ring.back().axis = elementary::cos(angle) * axis + elementary::sin(angle) * outward;
+  }
+  return ring;
+}
 
-void read_jet(TableReader& inflator, std::size_t index, Scene& scene) {
-  auto table = inflator.optional_table("jet");
-  if (!table) return;
-  if (!scene.bag && !scene.target) table->fail("", "needs a [membrane] or a [target]");
-  jet::JetModel model = read_model(*table);
-  std::optional<gas::Curve> restitution = read_restitution(*table, scene.bag.has_value(), model);
-  table->located("", [&] { model = jet::validated(model); });
-  const std::vector<int> attachment = attachment_elements(*table, scene);
-  const std::vector<int> null_elements = scene.bag ? scene.bag->null_elements : std::vector<int>{};
+// Checks of one jet of the table, and what warns once for a ring.
+void check_jet(TableReader& table, const JetPart& part, int subdivisions, bool first, Scene& scene) {
   const auto& elements = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
   const auto& nodes = scene.bag ? scene.bag->mesh.nodes : scene.target->nodes;
-  const int subdivisions = table->at("subdivisions").integer(1, 64, 1);
+  const jet::JetModel& model = part.field.model();
+  const jet::JetModel widest = at_peak(scene, part);
+  if (first) {
+    warn_of_square_nozzle(widest, part.name, scene.warnings);
+    warn_if_coarse(widest, part, nodes, elements, scene.bag ? scene.bag->null_elements : std::vector<int>{},
+                   subdivisions, scene.warnings);
+  }
+  if (scene.target) require_target_ahead(table, model, *scene.target);
+  if (!scene.bag) return;
+  table.located("centre", [&] {
+    if (const auto thickness = require_outlet_inside(model, *scene.bag); thickness && first)
+      scene.warnings.push_back(
+          fmt::format("jet of inflator {}: its outlet is wider than the bag at the start, {:.3g} m thick "
+                      "there: what blows beside the skin pushes nothing until the bag has opened",
+                      part.name, *thickness));
+  });
+}
+
+// All jets of a scene work alike.
+void read_jet_work(TableReader& table, const jet::OutletModel& outlet, Scene& scene) {
+  const auto work =
+      table.at("jet_work")
+          .choice<JetWork>({{"external", JetWork::external}, {"from_gas", JetWork::from_gas}}, "external");
+  if (work == JetWork::from_gas && outlet.temperature != jet::OutletTemperature::stagnation)
+    table.fail("jet_work",
+               "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the inflator's "
+               "enthalpy does not include the jet's kinetic energy");
+  if (!scene.jets.empty() && work != scene.jet_work)
+    table.fail("jet_work",
+               fmt::format("differs from that of {}: all jets need the same", scene.jets.front().path));
+  scene.jet_work = work;
+}
+
+// One table: an outlet, or a ring of them.
+void read_outlets(TableReader& table, std::size_t inflator, const std::string& name, double share,
+                  Scene& scene) {
+  if (!scene.bag && !scene.target) table.fail("", "needs a [membrane] or a [target]");
+  jet::JetModel model = read_model(table);
+  std::optional<gas::Curve> restitution = read_restitution(table, scene.bag.has_value(), model);
+  std::vector<jet::JetModel> ring = read_ring(table, model);
+  table.located("", [&] {
+    for (jet::JetModel& of_hole : ring) of_hole = jet::validated(of_hole);
+  });
+  const std::vector<int> attachment = attachment_elements(table, scene);
+  const std::vector<int> null_elements = scene.bag ? scene.bag->null_elements : std::vector<int>{};
+  const auto& elements = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
+  const auto nodes = static_cast<int>((scene.bag ? scene.bag->mesh.nodes : scene.target->nodes).cols());
+  const int subdivisions = table.at("subdivisions").integer(1, 64, 1);
   std::optional<jet::Subdivision> pieces;
-  if (subdivisions > 1)
-    table->located("subdivisions",
-                   [&] { pieces.emplace(elements, static_cast<int>(nodes.cols()), subdivisions); });
+  if (subdivisions > 1) table.located("subdivisions", [&] { pieces.emplace(elements, nodes, subdivisions); });
   jet::SurfaceRoles roles{null_elements, attachment};
   if (pieces) roles = {pieces->pieces_of(null_elements), pieces->pieces_of(attachment)};
-  const Eigen::Matrix3Xi& seen = pieces ? pieces->triangles() : elements;
-  table->located("", [&] {
-    const jet::OutletModel outlet = read_outlet(*table, model, scene);
-    jet::JetField field(model, static_cast<int>(seen.cols()), roles.null_elements);
-    auto query = std::make_shared<const jet::VisibilityQuery>(
-        seen, pieces ? pieces->node_count() : static_cast<int>(nodes.cols()), roles);
-    scene.jets.push_back(JetPart{index, std::move(pieces), std::move(field), outlet, std::move(restitution),
-                                 std::move(roles), std::move(query)});
+  const Eigen::Matrix3Xi seen = pieces ? pieces->triangles() : elements;
+  std::optional<JetPart> part;
+  table.located("", [&] {
+    const jet::OutletModel outlet = read_outlet(table, ring.front(), scene);
+    auto query =
+        std::make_shared<const jet::VisibilityQuery>(seen, pieces ? pieces->node_count() : nodes, roles);
+    jet::JetField field(ring.front(), static_cast<int>(seen.cols()), roles.null_elements);
+    part.emplace(JetPart{inflator, name, table.path(), share / static_cast<double>(ring.size()),
+                         std::move(pieces), std::move(field), outlet, std::move(restitution),
+                         std::move(roles), std::move(query)});
   });
-  JetPart& part = scene.jets.back();
-  part.occlusion = table->at("occlusion").flag(true);
-  part.route = table->at("visibility")
-                   .choice<jet::VisibilityRoute>({{"fast", jet::VisibilityRoute::fast},
-                                                  {"cgal_tree", jet::VisibilityRoute::cgal_tree},
-                                                  {"brute_force", jet::VisibilityRoute::brute_force}},
-                                                 "fast");
-  if (!jet::has_route(part.route))
-    table->fail("visibility",
-                "\"cgal_tree\" is not part of this program (the command gasjet has it), allowed: \"fast\" "
-                "and \"brute_force\"");
-  const auto work =
-      table->at("jet_work")
-          .choice<JetWork>({{"external", JetWork::external}, {"from_gas", JetWork::from_gas}}, "external");
-  if (work == JetWork::from_gas && part.outlet.temperature != jet::OutletTemperature::stagnation)
-    table->fail("jet_work",
-                "\"from_gas\" needs temperature = \"stagnation\": with a static temperature the inflator's "
-                "enthalpy does not include the jet's kinetic energy");
-  if (scene.jets.size() > 1 && work != scene.jet_work)
-    table->fail("jet_work", fmt::format("differs from that of inflator.{}.jet: all jets need the same",
-                                        scene.jets.front().inflator));
-  scene.jet_work = work;
-  const jet::JetModel widest = at_peak(scene, part);
-  warn_of_square_nozzle(widest, index, scene.warnings);
-  warn_if_coarse(widest, index, nodes, elements, null_elements, subdivisions, scene.warnings);
-  if (scene.target) require_target_ahead(*table, model, *scene.target);
-  if (scene.bag)
-    table->located("centre", [&] {
-      if (const auto thickness = require_outlet_inside(model, *scene.bag))
-        scene.warnings.push_back(
-            fmt::format("jet of inflator {}: its outlet is wider than the bag at the start, {:.3g} m thick "
-                        "there: what blows beside the skin pushes nothing until the bag has opened",
-                        index, *thickness));
-    });
-  table->finish();
+  part->occlusion = table.at("occlusion").flag(true);
+  part->route = table.at("visibility")
+                    .choice<jet::VisibilityRoute>({{"fast", jet::VisibilityRoute::fast},
+                                                   {"cgal_tree", jet::VisibilityRoute::cgal_tree},
+                                                   {"brute_force", jet::VisibilityRoute::brute_force}},
+                                                  "fast");
+  if (!jet::has_route(part->route))
+    table.fail("visibility",
+               "\"cgal_tree\" is not part of this program (the command gasjet has it), allowed: \"fast\" "
+               "and \"brute_force\"");
+  read_jet_work(table, part->outlet, scene);
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    JetPart hole = *part;
+    hole.field = jet::JetField(ring[k], static_cast<int>(seen.cols()), hole.roles.null_elements);
+    if (ring.size() > 1) hole.name += fmt::format(".{}", k);
+    check_jet(table, hole, subdivisions, k == 0, scene);
+    scene.jets.push_back(std::move(hole));
+  }
+  table.finish();
+}
+
+}  // namespace
+
+void read_jets(TableReader& inflator, std::size_t index, Scene& scene) {
+  if (!inflator.has("jet") || inflator.is_table("jet")) {
+    if (auto table = inflator.optional_table("jet"))
+      read_outlets(*table, index, std::to_string(index), 1.0, scene);
+    return;
+  }
+  std::vector<TableReader> tables = inflator.tables("jet");
+  std::vector<double> shares;
+  for (TableReader& table : tables) shares.push_back(table.at("share").number(positive_fraction));
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  if (!(std::abs(sum - 1.0) <= 1e-6))
+    tables.back().fail("share",
+                       fmt::format("the shares of this inflator's outlets sum to {:.6g}, needed: 1", sum));
+  for (std::size_t k = 0; k < tables.size(); ++k)
+    read_outlets(tables[k], index, fmt::format("{}.{}", index, k), shares[k] / sum, scene);
 }
 
 }  // namespace driver

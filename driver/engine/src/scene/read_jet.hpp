@@ -8,7 +8,7 @@
 
 namespace driver {
 
-/// [inflator.jet] of inflator `index`
-void read_jet(TableReader& inflator, std::size_t index, Scene& scene);
+/// [inflator.jet], or [[inflator.jet]] with shares of the flow, of inflator `index`
+void read_jets(TableReader& inflator, std::size_t index, Scene& scene);
 
 }  // namespace driver

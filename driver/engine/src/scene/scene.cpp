@@ -222,7 +222,7 @@ void read_parts(CaseDocument& document, const MeshReader& read_mesh, Scene& scen
   read_bag(root, read_mesh, scene);
   read_target(root, scene);
   for (std::size_t i = 0; i < inflators.size(); ++i) {
-    read_jet(inflators[i], i, scene);
+    read_jets(inflators[i], i, scene);
     inflators[i].finish();
   }
   read_pendulum(root, scene);

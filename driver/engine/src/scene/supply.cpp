@@ -54,6 +54,12 @@ InflatorPeak inflator_peak(const Scene& scene, std::size_t inflator) {
   return peak;
 }
 
+InflatorPeak outlet_peak(const Scene& scene, const JetPart& part) {
+  InflatorPeak peak = inflator_peak(scene, part.inflator);
+  peak.point.mass_flow *= part.share;
+  return peak;
+}
+
 double pressure_around(const Scene& scene) {
   return scene.ambient.pressure > 0.0 ? scene.ambient.pressure : scene.gas->initial_pressure;
 }

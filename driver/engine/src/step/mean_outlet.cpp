@@ -47,7 +47,9 @@ class OutletIntegral {
 
  private:
   gas::InflatorPoint point(double since, Side side = Side::after) const {
-    return gas::inflator_point_since_firing(scene_.gas->model, part_.inflator, since, side);
+    gas::InflatorPoint gas = gas::inflator_point_since_firing(scene_.gas->model, part_.inflator, since, side);
+    gas.mass_flow *= part_.share;
+    return gas;
   }
 
   jet::OutletState state(const jet::OutletModel& outlet, const gas::InflatorPoint& gas) const {

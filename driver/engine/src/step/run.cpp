@@ -136,9 +136,9 @@ void note_left_outlets(const Scene& scene, const State& state, RunOutcome& outco
     const Eigen::Vector3d inside = jet.centre + 1e-6 * size * jet.axis;
     if (coupling::winding_number(scene.bag->mesh.elements, position, inside) > 0.5) continue;
     outcome.notes.push_back(
-        fmt::format("inflator.{}.jet: the outlet is outside the bag at the end, so its jet meets nothing: if "
+        fmt::format("{}: the outlet is outside the bag at the end, so its jet meets nothing: if "
                     "the bag has flown off, hold it by membrane.fixed_panels",
-                    part.inflator));
+                    part.path));
   }
 }
 
