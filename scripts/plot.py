@@ -23,6 +23,8 @@ from common import gnuplot_file, gnuplot_text  # noqa: E402
 
 PANELS = (  # column, factor to the plot's unit, axis label
     ("pendulum_angle_rad", "180/pi", "Pendulum angle [°]"),
+    ("impactor_displacement_m", "1e3", "Displacement of the impactor [mm]"),
+    ("impactor_acceleration_m_s2", "1", "Acceleration of the impactor [m/s²]"),
     ("pendulum_cg_acceleration_cfc180_m_s2", "1", "Acceleration of c.g., CFC 180 [m/s²]"),
     ("pendulum_cg_acceleration_m_s2", "1", "Acceleration of c.g. [m/s²]"),
     ("pressure_Pa", "1e-3", "Pressure [kPa]"))

@@ -30,7 +30,8 @@ BELOW = set("""file time value strain mass_ratio strain_column overpressure_colu
     scale shift time_scale units species initial radius levels generator refine heat_loss nasa7 rings vents time_ fabric ambient gas
     inflator jet vent sensor trigger membrane strap plate pendulum contact scene output weave panel depth width height back_radius
     front_radius depth_cells width_cells height_cells attachment_width_cells attachment_height_cells vent_depth_cell vent_height_cell
-    inflator_radius opening inflator_rings vent_ring holes first angle centre normal side columns rows cap cap_length self_contact area step safety unsafe_step gas_tolerance
+    inflator_radius opening inflator_rings vent_ring holes first angle impactor motion spring stop at
+    damping second_axis half_axes half_length rim_radius velocity angular_velocity inertia direction force centre normal side columns rows cap cap_length self_contact area step safety unsafe_step gas_tolerance
     gas_step gas_method""".split())
 
 

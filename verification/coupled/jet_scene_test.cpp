@@ -195,7 +195,7 @@ TEST(jet_scene, outlets_of_one_inflator_eq_inflators_with_their_shares_and_a_rin
 TEST(jet_scene, outlets_that_are_none_are_refused_where_they_stand) {
   for (const auto& [jets, says] : std::initializer_list<std::pair<std::string, const char*>>{
            {'[' + outlet("[1, 0, 0]", ", share = 0.5") + ", " + outlet("[-1, 0, 0]", ", share = 0.6") + ']',
-            "inflator.0.jet.1.share: the shares of this inflator's outlets sum to 1.1, needed: 1"},
+            "inflator.0.jet.1.share: the shares of all outlets sum to 1.1, needed: 1"},
            {'[' + outlet("[1, 0, 0]") + ']', "inflator.0.jet.0.share: is missing"},
            {outlet("[1, 0, 0]", ", share = 0.5"), "share"},
            {outlet("[1, 0, 0]", ", ring = { holes = 1 }"), "ring.holes"},

@@ -18,7 +18,7 @@ from common import ROOT, gasjet, output, rows_of  # noqa: E402
 PAGE, PICTURES = ROOT / "docs/gallery.md", ROOT / "docs/gallery"
 # What a picture may show, the first three that a case has and that change in it: column, factor, label
 QUANTITIES = (
-    ("pressure_Pa", "1e-3", "Pressure [kPa]"), ("pendulum_angle_rad", "180/pi", "Pendulum angle [°]"), ("jet_force_N", "1e-3", "Jet force [kN]"),
+    ("pressure_Pa", "1e-3", "Pressure [kPa]"), ("pendulum_angle_rad", "180/pi", "Pendulum angle [°]"), ("impactor_displacement_m", "1e3", "Displacement of the impactor [mm]"), ("jet_force_N", "1e-3", "Jet force [kN]"),
     ("contact_force_N", "1e-3", "Contact force [kN]"), ("strap_force_N", "1e-3", "Strap force [kN]"), ("volume_m3", "1e3", "Volume [l]"),
     ("vent_outflow_kg_s", "1e3", "Outflow, vents [g/s]"), ("fabric_outflow_kg_s", "1e3", "Outflow, fabric [g/s]"),
     ("temperature_K", "1", "Temperature [K]"), ("jet_lit_elements", "1", "Elements that the jet meets"),

@@ -143,10 +143,13 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   add_parts(*scene.bag, deck);
   if (scene.gas) add_gas(scene, deck);
   if (scene.bag->overpressure) deck.overpressure = knots_of(*scene.bag->overpressure, 0.0, scene.time.end);
+  if (scene.pendulum && scene.pendulum->path != "pendulum")
+    throw CaseError(
+        fmt::format("{}: impactor: decks have the sphere of [pendulum] only", scene.case_file.string()));
   if (scene.pendulum) add_pendulum(scene.pendulum->model.parameters(), deck);
   if (scene.pendulum && scene.pendulum->driving_moment)
     deck.notes.push_back({"pendulum.driving_moment", "is not written: load the rigid body by hand"});
-  if (scene.contact) note_contact(scene, deck);
+  if (scene.contact && scene.pendulum) note_contact(scene, deck);
   if (scene.skin_contact) note_self_contact(scene, deck);
   add_fabric(*scene.bag, deck);
   if (scene.name.size() > title_columns)

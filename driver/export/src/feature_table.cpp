@@ -31,8 +31,7 @@ constexpr Outcome law{
 constexpr Outcome shape{Mapping::exact, "start shape as nodes, design shape as reference geometry"};
 constexpr Outcome sphere{Mapping::approximated, "a sphere of flat triangles, by the size below"};
 constexpr Outcome no_impactor{Mapping::none, "not written: add the rigid body and its contact by hand", true};
-constexpr Outcome no_field{Mapping::none, "not written: load the parts by the acceleration over time by hand",
-                           true};
+constexpr Outcome no_field{Mapping::none, "not written: load the parts over time by hand", true};
 constexpr Outcome own_penalty{Mapping::approximated, "contact by node with the program's own penalty"};
 constexpr Outcome fabric_law{Mapping::approximated,
                              "the program's fabric in Green-Lagrange strain (FORM 12) for St. "

@@ -190,7 +190,7 @@ void LsDynaDeck::requests() {
   if (scene.gas) histories.push_back("ABSTAT");
   if (scene.pendulum)
     for (const char* name : {"RBDOUT", "JNTFORC", "NODOUT"}) histories.push_back(name);
-  if (scene.contact) histories.push_back("RCFORC");
+  if (scene.contact && scene.pendulum) histories.push_back("RCFORC");
   if (!bag().model.description.plates.empty() && !bag_nodes(deck_, true).empty())
     histories.push_back("RWFORC");
   if (!bag().model.description.straps.empty()) histories.push_back("DEFORC");

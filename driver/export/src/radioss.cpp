@@ -163,7 +163,7 @@ void RadiossStarter::requests() {
   if (deck_.scene->pendulum)
     request("/TH/RBODY/2",
             "RX        RY        RZ        VRX       VRY       VRZ       AX        AY        AZ        ", 1);
-  if (deck_.scene->contact) request("/TH/INTER/3", "DEF       ", 1);
+  if (deck_.scene->contact && deck_.scene->pendulum) request("/TH/INTER/3", "DEF       ", 1);
   if (!bag().model.description.plates.empty() && !bag_nodes(deck_, true).empty())
     request("/TH/RWALL/4", "DEF       ", 1);
 }

@@ -29,20 +29,20 @@ coupling::Impactor read_shape(TableReader& impactor) {
                                                         {"ellipsoid", ShapeName::ellipsoid},
                                                         {"cylinder", ShapeName::cylinder},
                                                         {"disc", ShapeName::disc}});
-  const auto length = [&](const char* key) { return table.at(key).number(positive.in("m")); };
+  const Bounds length = positive.in("m");
   coupling::Impactor shape;
   switch (type) {
     case ShapeName::sphere:
-      shape = coupling::Sphere{length("radius")};
+      shape = coupling::Sphere{table.at("radius").number(length)};
       break;
     case ShapeName::ellipsoid:
       shape = coupling::Ellipsoid{table.at("half_axes").vector("m")};
       break;
     case ShapeName::cylinder:
-      shape = coupling::Cylinder{length("radius"), length("half_length")};
+      shape = coupling::Cylinder{table.at("radius").number(length), table.at("half_length").number(length)};
       break;
     case ShapeName::disc:
-      shape = coupling::Disc{length("radius"), length("rim_radius")};
+      shape = coupling::Disc{table.at("radius").number(length), table.at("rim_radius").number(length)};
   }
   table.located("", [&] { coupling::require_valid(shape); });
   table.finish();
@@ -51,16 +51,14 @@ coupling::Impactor read_shape(TableReader& impactor) {
 
 // The body's z along `axis`, its x along the part of `second_axis` at right angles to that.
 Matrix3d read_axes(TableReader& table, const Vector3d& usual) {
-  const auto direction = [&](const char* key, const Vector3d& fallback, const char* in_words) {
-    const Vector3d given = table.at(key).vector("", fallback, in_words);
-    if (!(given.norm() > 0.0)) table.fail(key, "[0, 0, 0] has no direction, allowed: a vector of any length");
-    return given.normalized().eval();
-  };
-  const Vector3d z = direction("axis", usual, "the rail's direction, or [0, 0, 1]");
+  const Vector3d z_given = table.at("axis").vector("", usual, "the rail's direction, or [0, 0, 1]");
+  if (!(z_given.norm() > 0.0))
+    table.fail("axis", "[0, 0, 0] has no direction, allowed: a vector of any length");
+  const Vector3d z = z_given.normalized();
   const Vector3d any = z.cross(std::abs(z.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY()).cross(z);
-  const Vector3d given = direction("second_axis", any, "any at right angles to axis");
+  const Vector3d given = table.at("second_axis").vector("", any, "any at right angles to axis");
   const Vector3d x = given - given.dot(z) * z;
-  if (!(x.norm() > 1e-6)) table.fail("second_axis", "is parallel to axis");
+  if (!(x.norm() > 1e-6 * given.norm())) table.fail("second_axis", "is parallel to axis, or zero");
   Matrix3d axes;
   axes.col(0) = x.normalized();
   axes.col(2) = z;
@@ -106,25 +104,25 @@ Matrix3d read_inertia(TableReader& table) {
   return inertia;
 }
 
-BodyPart read_body(TableReader& impactor, TableReader& motion, bool on_rail, const Vector3d& gravity) {
+BodyPart read_body(TableReader& impactor, TableReader& table, bool on_rail, const Vector3d& gravity) {
   coupling::RigidBodyParameters p;
-  p.mass = motion.at("mass").number(positive.in("kg"));
+  p.mass = table.at("mass").number(positive.in("kg"));
   p.centre = impactor.at("centre").vector("m");
   p.gravity = gravity;
   if (on_rail) {
-    p.rail = read_rail(motion);
-    p.velocity = motion.at("velocity").number(any_number.in("m/s"), 0.0) * p.rail->direction;
+    p.rail = read_rail(table);
+    p.velocity = table.at("velocity").number(any_number.in("m/s"), 0.0) * p.rail->direction;
   } else {
-    p.velocity = motion.at("velocity").vector("m/s", Vector3d::Zero());
-    p.angular_velocity = motion.at("angular_velocity").vector("rad/s", Vector3d::Zero());
-    p.inertia = read_inertia(motion);
+    p.velocity = table.at("velocity").vector("m/s", Vector3d::Zero());
+    p.angular_velocity = table.at("angular_velocity").vector("rad/s", Vector3d::Zero());
+    p.inertia = read_inertia(table);
   }
   p.axes = read_axes(impactor, on_rail ? p.rail->direction : Vector3d::UnitZ());
   std::optional<BodyPart> part;
-  motion.located("", [&] { part.emplace(BodyPart{coupling::RigidBodyModel(p), {}}); });
-  if (on_rail && motion.has("force"))
-    motion.located("force", [&] {
-      part->force = to_gas_curve(CurveReader(motion, "force").curve(any_number.in("N")), gas::Outside::zero);
+  table.located("", [&] { part.emplace(BodyPart{coupling::RigidBodyModel(p), {}}); });
+  if (on_rail && table.has("force"))
+    table.located("force", [&] {
+      part->force = to_gas_curve(CurveReader(table, "force").curve(any_number.in("N")), gas::Outside::zero);
     });
   return *part;
 }

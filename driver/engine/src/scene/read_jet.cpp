@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <elementary/trigonometric.hpp>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -16,6 +15,7 @@
 #include "jet/centreline.hpp"
 #include "scene/gas_curve.hpp"
 #include "scene/outlet_place.hpp"
+#include "scene/outlet_ring.hpp"
 
 namespace driver {
 namespace {
@@ -30,7 +30,6 @@ const Bounds round_or_type{positive.low, positive.high, true,
                   "\"sharp_slot\" or \"rounded_slot\","};
 const Bounds below_one{0.0, std::nextafter(1.0, 0.0), false, "a number from 0 to below 1"};
 const Bounds restitution_range{-0.5, 4.0, false, "a number from -0.5 to 4"};
-const Bounds ring_angle{0.0, std::numbers::pi, true, "above 0, at most pi", "rad"};
 const Bounds below_right_angle{0.0, std::nextafter(0.5 * std::numbers::pi, 0.0), false, "0 to below pi/2",
                                "rad"};
 
@@ -149,8 +148,8 @@ void warn_of_square_nozzle(const jet::JetModel& model, const std::string& name,
   if (model.shape == jet::OutletShape::rectangular && model.short_side > model.long_side)
     warnings.push_back(fmt::format(
         "jet of inflator {}: its expansion makes the short side {:.3g} m at the peak, more than the long "
-        "side of {:.3g} m, "
-        "along which a wedge stays as it is: a round outlet of the same area spreads to all sides",
+        "side of "
+        "{:.3g} m, along which a wedge stays as it is: a round outlet of the same area spreads to all sides",
         name, model.short_side, model.long_side));
 }
 
@@ -194,33 +193,7 @@ std::vector<int> attachment_elements(TableReader& table, const Scene& scene) {
   return elements;
 }
 
-// Round holes on a circle: `model`, at its middle and along its axis, at each of them.
-std::vector<jet::JetModel> read_ring(TableReader& outlet, const jet::JetModel& model) {
-  if (!outlet.has("ring")) return {model};
-  if (model.shape != jet::OutletShape::round)
-    outlet.fail("ring", "is of round holes: shape is \"rectangular\"");
-  TableReader table = outlet.table("ring");
-  const int holes = table.at("holes").integer(2, 64, 8);
-  const double radius = table.at("radius").number(non_negative.in("m"), 0.0);
-  const double angle = table.at("angle").number(ring_angle, 0.5 * std::numbers::pi, "pi/2");
-  const Eigen::Vector3d axis = model.axis.normalized();
-  const Eigen::Vector3d first = table.at("first").vector("", axis.unitOrthogonal(), "any across the axis");
-  const Eigen::Vector3d across = first - first.dot(axis) * axis;
-  if (!(across.norm() > 1e-6 * first.norm())) table.fail("first", "is along the axis");
-  table.finish();
-  std::vector<jet::JetModel> ring;
-  for (int k = 0; k < holes; ++k) {
-    const double turn = 2.0 * std::numbers::pi * k / holes;
-    const Eigen::Vector3d outward =
-        elementary::cos(turn) * across.normalized() + elementary::sin(turn) * axis.cross(across.normalized());
-    ring.push_back(model);
-    ring.back().centre = model.centre + radius * outward;
-    ring.back().axis = elementary::cos(angle) * axis + elementary::sin(angle) * outward;
-  }
-  return ring;
-}
-
-// Checks of one jet of the table, and what warns once for a ring.
+// What warns, warns once for a ring.
 void check_jet(TableReader& table, const JetPart& part, int subdivisions, bool first, Scene& scene) {
   const auto& elements = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
   const auto& nodes = scene.bag ? scene.bag->mesh.nodes : scene.target->nodes;
@@ -257,7 +230,7 @@ void read_jet_work(TableReader& table, const jet::OutletModel& outlet, Scene& sc
   scene.jet_work = work;
 }
 
-// One table: an outlet, or a ring of them.
+// An outlet, or a ring.
 void read_outlets(TableReader& table, std::size_t inflator, const std::string& name, double share,
                   Scene& scene) {
   if (!scene.bag && !scene.target) table.fail("", "needs a [membrane] or a [target]");
@@ -321,8 +294,7 @@ void read_jets(TableReader& inflator, std::size_t index, Scene& scene) {
   for (TableReader& table : tables) shares.push_back(table.at("share").number(positive_fraction));
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
   if (!(std::abs(sum - 1.0) <= 1e-6))
-    tables.back().fail("share",
-                       fmt::format("the shares of this inflator's outlets sum to {:.6g}, needed: 1", sum));
+    tables.back().fail("share", fmt::format("the shares of all outlets sum to {:.6g}, needed: 1", sum));
   for (std::size_t k = 0; k < tables.size(); ++k)
     read_outlets(tables[k], index, fmt::format("{}.{}", index, k), shares[k] / sum, scene);
 }
