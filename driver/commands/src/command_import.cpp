@@ -31,7 +31,8 @@ std::string fault_of(const std::filesystem::path& file) {
 void write_files(const ImportedCase& result, const ImportArguments& arguments) {
   ResultFolder folder(arguments.out, "import");
   const std::vector<std::string> options{"import", arguments.units.value_or(""),
-                                         fmt::format("{}", arguments.bag.value_or(0))};
+                                         fmt::format("{}", arguments.bag.value_or(0)),
+                                         arguments.merge_chambers ? "merged" : ""};
   folder.begin(provenance(arguments.deck, {}, run_id(options, result.text.files)));
   for (const auto& [name, text] : result.files)
     folder.write(name, name.ends_with(".csv") ? comment_lines(folder.lines()) + text : text);
@@ -50,7 +51,8 @@ void tell_refusals(const ImportedCase& result) {
 }  // namespace
 
 int import_deck(const ImportArguments& arguments) {
-  const auto result = imported::import_case(arguments.deck, {arguments.bag, arguments.units});
+  const auto result =
+      imported::import_case(arguments.deck, {arguments.bag, arguments.units, arguments.merge_chambers});
   refuse_inputs(arguments.out, result->text.files);
   write_files(*result, arguments);
   const std::string fault =

@@ -14,6 +14,8 @@ void add_import(CLI::App& app, ImportArguments& a) {
       ->required()
       ->check(named);
   c->add_option("--bag", a.bag, "number of the airbag or monitored volume, if the deck has several");
+  c->add_flag("--merge-chambers", a.merge_chambers,
+              "make one chamber of all monitored volumes of a Radioss deck");
   c->add_option("--units", a.units, "mass-length-time of a deck that does not state them, such as kg-mm-ms")
       ->check(named);
 }

@@ -84,6 +84,10 @@ const DeckCard* choose_airbag(const DeckText& text, const ImportOptions& options
     report.refuse("*AIRBAG", {0, 0}, "the deck has no airbag");
     return nullptr;
   }
+  if (options.merge_chambers) {
+    report.refuse(*all.front(), "--merge-chambers is for monitored volumes of Radioss; choose one by --bag");
+    return nullptr;
+  }
   std::size_t chosen = 0;
   if (options.bag) {
     const auto found = std::ranges::find(numbers, *options.bag);

@@ -10,7 +10,7 @@
 #include "base/text_file.hpp"
 #include "deck_reader.hpp"
 #include "import/import_deck.hpp"
-#include "radioss_tables.hpp"
+#include "radioss_chambers.hpp"
 
 namespace driver::imported {
 namespace {
@@ -95,37 +95,39 @@ void read_engine(const DeckText& text, const Units& units, BagDeck& bag, ImportR
   report.note(fmt::format("the end of the run, {:g} s, is that of the engine file {}", bag.end_time, name));
 }
 
-const DeckCard* choose_volume(const DeckText& text, const ImportOptions& options, ImportReport& report) {
-  std::vector<const DeckCard*> all;
+bool is_mapped(const DeckCard& card) {
+  constexpr std::array kinds{"/MONVOL/AIRBAG1/", "/MONVOL/AIRBAG/", "/MONVOL/COMMU1/", "/MONVOL/COMMU/",
+                             "/MONVOL/GAS/"};
+  return std::ranges::any_of(kinds, [&](const char* kind) { return card.keyword.starts_with(kind); });
+}
+
+// The volumes of the bag: one, or all chambers of one bag; none if that is refused.
+std::vector<const DeckCard*> choose_volumes(const DeckText& text, const ImportOptions& options,
+                                            ImportReport& report) {
+  std::vector<const DeckCard*> all, chosen;
   for (const DeckCard& card : text.cards)
     if (card.keyword.starts_with("/MONVOL/")) all.push_back(&card);
-  if (all.empty()) {
-    report.refuse("/MONVOL", {0, 0}, "the deck has no monitored volume");
-    return nullptr;
-  }
-  const DeckCard* chosen = all.front();
-  if (options.bag) {
-    const auto found =
-        std::ranges::find_if(all, [&](const DeckCard* card) { return number_of(*card) == *options.bag; });
-    if (found == all.end()) {
-      report.refuse(*all.front(), fmt::format("the deck has no monitored volume {}", *options.bag));
-      return nullptr;
-    }
-    chosen = *found;
-  } else if (all.size() > 1) {
-    report.refuse(*all[1], fmt::format("the deck has {} monitored volumes; choose one by --bag NUMBER. "
-                                       "Chambers that exchange gas have no counterpart",
-                                       all.size()));
-    return nullptr;
-  }
   for (const DeckCard* card : all)
-    if (card != chosen) report.left_out(*card, Mapping::left_out, "another monitored volume");
-  for (const char* kind : {"/MONVOL/AIRBAG1/", "/MONVOL/COMMU1/", "/MONVOL/GAS/"})
-    if (chosen->keyword.starts_with(kind)) return chosen;
-  report.refuse(
-      *chosen,
-      "this kind of monitored volume is not mapped, allowed: AIRBAG1, COMMU1 of one chamber and GAS");
-  return nullptr;
+    if (options.merge_chambers || !options.bag || number_of(*card) == *options.bag) chosen.push_back(card);
+  if (all.empty())
+    report.refuse("/MONVOL", {0, 0}, "the deck has no monitored volume");
+  else if (chosen.empty())
+    report.refuse(*all.front(), fmt::format("the deck has no monitored volume {}", *options.bag));
+  else if (chosen.size() > 1 && !options.merge_chambers)
+    report.refuse(*all[1],
+                  fmt::format("the deck has {} monitored volumes; choose one by --bag NUMBER, or make one "
+                              "chamber of all by --merge-chambers",
+                              all.size()));
+  if (report.refused()) return {};
+  for (const DeckCard* card : all)
+    if (std::ranges::find(chosen, card) == chosen.end())
+      report.left_out(*card, Mapping::left_out, "another monitored volume");
+  for (const DeckCard* card : chosen)
+    if (!is_mapped(*card))
+      report.refuse(
+          *card,
+          "this kind of monitored volume is not mapped, allowed: AIRBAG1, AIRBAG, COMMU1, COMMU and GAS");
+  return report.refused() ? std::vector<const DeckCard*>{} : chosen;
 }
 
 void require_nodes_of(const BagDeck& bag) {
@@ -141,17 +143,33 @@ void require_nodes_of(const BagDeck& bag) {
 ImportedDeck map_radioss(const DeckText& text, const ImportOptions& options, ImportReport& report) {
   ImportedDeck result;
   const auto units = units_of_begin(text, options, report, result.bag.name);
-  result.card = choose_volume(text, options, report);
-  if (result.card == nullptr || !units) return result;
+  const auto volumes = choose_volumes(text, options, report);
+  if (volumes.empty() || !units) return result;
+  result.card = volumes.front();
   const RadiossTables tables = radioss_tables(text, report);
-  RadiossContext context{text, tables, report, *units, result.bag, *result.card};
+  std::map<long, std::string> panels;
+  const auto context = [&](const DeckCard* volume) {
+    return RadiossContext{text, tables, report, *units, result.bag, *volume, panels, volumes.size() > 1};
+  };
+  RadiossChambers chambers(result.bag, report);
   try {
     read_engine(text, *units, result.bag, report);
-    map_surface(context);
+    for (const DeckCard* volume : volumes) {
+      RadiossContext chamber = context(volume);
+      map_surface(chamber);
+      panels = chamber.panels;
+      chambers.take();
+    }
     require_nodes_of(result.bag);
-    map_gas(context);
-    map_fabric(context);
-    map_surroundings(context);
+    chambers.join();
+    for (const DeckCard* volume : volumes) {
+      RadiossContext chamber = context(volume);
+      map_gas(chamber);
+      chambers.fill(chamber);
+    }
+    RadiossContext bag = context(result.card);
+    map_fabric(bag);
+    map_surroundings(bag);
   } catch (const DeckFault& fault) {
     report.refuse(result.card->keyword, fault.at(), fault.what());
     report.told_elsewhere(*result.card);

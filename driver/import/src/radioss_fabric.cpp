@@ -16,24 +16,26 @@ void map_surface(RadiossContext& c) {
   for (const auto& [id, place] : c.tables.nodes) c.bag.nodes[id] = place * c.units.length;
   const DeckFields f = c.tens(c.volume, 1);
   const long surface = f.whole(0, "surf_IDex");
-  std::vector<std::string> taken;
-  for (const long part : c.parts_of_surface(surface, f.at())) {
+  const std::set<long> parts = c.parts_of_surface(surface, f.at());
+  for (const long part : parts) {
+    if (c.panels.contains(part)) continue;
     const auto found = c.tables.parts.find(part);
     std::string name = found == c.tables.parts.end() ? "" : plain_name(found->second.title);
     if (name.empty()) name = fmt::format("part_{}", part);
-    if (std::ranges::find(taken, name) != taken.end()) name += fmt::format("_{}", part);
-    taken.push_back(name);
+    if (std::ranges::any_of(c.panels, [&](const auto& panel) { return panel.second == name; }))
+      name += fmt::format("_{}", part);
     c.panels[part] = name;
   }
   std::set<const DeckCard*> cards;
   for (const RadiossShell& shell : c.tables.shells)
-    if (const auto panel = c.panels.find(shell.part); panel != c.panels.end()) {
-      c.bag.facets.push_back({shell.nodes, panel->second, shell.at});
+    if (parts.contains(shell.part)) {
+      c.bag.facets.push_back({shell.nodes, c.panels.at(shell.part), shell.at});
       cards.insert(shell.card);
     }
   auto segments = c.segments_of_surface(surface, f.at());
   if (!segments.empty()) {
-    c.bag.null_panels.emplace_back("segments");
+    if (std::ranges::find(c.bag.null_panels, "segments") == c.bag.null_panels.end())
+      c.bag.null_panels.emplace_back("segments");
     c.report.note(
         fmt::format("{} segments close the control volume as the null panel segments", segments.size()));
   }
@@ -258,7 +260,16 @@ void RadiossFabricReader::finish() {
 
 void map_fabric(RadiossContext& context) {
   RadiossFabricReader reader(context);
-  for (const auto& [part, panel] : context.panels) reader.read(part, panel);
+  for (const auto& [part, panel] : context.panels) {
+    const bool is_between =
+        context.chambers_are_one &&
+        std::ranges::find(context.bag.facets, panel, &Facet::panel) == context.bag.facets.end();
+    const auto own = context.tables.parts.find(part);
+    if (!is_between)
+      reader.read(part, panel);
+    else if (own != context.tables.parts.end())
+      context.report.left_out(*own->second.card, Mapping::left_out, "between chambers that are one here");
+  }
   reader.finish();
 }
 

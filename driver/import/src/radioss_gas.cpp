@@ -9,15 +9,11 @@
 
 #include "deck_reader.hpp"
 #include "gas/species.hpp"
-#include "radioss_tables.hpp"
-#include "vent_curves.hpp"
+#include "radioss_injection.hpp"
+#include "radioss_inline_gas.hpp"
 
 namespace driver::imported {
 namespace {
-
-double or_one(double value) {
-  return value == 0.0 ? 1.0 : value;
-}
 
 /// Reads gases, injectors and the volume's own lines.
 class RadiossGas {
@@ -32,13 +28,10 @@ class RadiossGas {
   void injector(long property, double start, Place at);
   void first_injector(const DeckCard& card, double start);
   void second_injector(const DeckCard& card, double start);
-  Knots flow(long function, double factor, double time_unit, bool is_flow, Place at);
-  double start_of(long sensor, Place at) const;
 
   RadiossContext& c_;
   const Units& u_;
   BagDeck& bag_;
-  std::map<long, std::size_t> known_;
 };
 
 constexpr std::array<std::array<const char*, 2>, 13> predefined{{{"N2", "N2"},
@@ -90,24 +83,26 @@ void RadiossGas::polynomial(const DeckCard& card, bool by_mole, BagGas& gas) {
 }
 
 std::size_t RadiossGas::gas(long material, Place at) {
-  if (const auto found = known_.find(material); found != known_.end()) return found->second;
+  const std::string name = fmt::format("gas_{}", material);
+  if (const auto known = std::ranges::find(bag_.gases, name, &BagGas::name); known != bag_.gases.end())
+    return static_cast<std::size_t>(known - bag_.gases.begin());
   const auto found = c_.tables.materials.find(material);
   if (found == c_.tables.materials.end())
     throw DeckFault(at, fmt::format("names the gas {}, which the deck does not have", material));
   const DeckCard& card = *found->second;
   const auto words = words_of(card);
   const std::string kind = words.size() > 2 && words[1] == "GAS" ? words[2] : "";
-  BagGas gas{fmt::format("gas_{}", material), 0.0, {}, ""};
+  BagGas gas{name, 0.0, {}, ""};
   Mapping mapping = Mapping::exact;
   std::string how = "a gas with this molar mass and heat capacity";
   if (kind == "MASS" || kind == "MOLE") {
     polynomial(card, kind == "MOLE", gas);
   } else if (kind == "PREDEF") {
-    const std::string name = in_capitals(without_blanks(line_or_blank(card, 1).text));
+    const std::string word = in_capitals(without_blanks(line_or_blank(card, 1).text));
     for (const auto& [theirs, ours] : predefined)
-      if (name == theirs) gas.built_in = ours;
+      if (word == theirs) gas.built_in = ours;
     if (gas.built_in.empty())
-      throw DeckFault(card.at, fmt::format("the predefined gas '{}' has no counterpart", name));
+      throw DeckFault(card.at, fmt::format("the predefined gas '{}' has no counterpart", word));
     mapping = Mapping::approximated;
     how = fmt::format("the built-in gas {}, by this program's own heat capacity", gas.built_in);
   } else if (kind == "CSTA") {
@@ -120,41 +115,8 @@ std::size_t RadiossGas::gas(long material, Place at) {
     throw DeckFault(card.at, "is no gas, allowed: /MAT/GAS/MASS, MOLE, PREDEF and CSTA");
   }
   c_.report.became(card, {"gas.species.cp", "gas.species.molar_mass"}, mapping, how);
-  known_[material] = bag_.gases.size();
   bag_.gases.push_back(std::move(gas));
   return bag_.gases.size() - 1;
-}
-
-double RadiossGas::start_of(long sensor, Place at) const {
-  if (sensor == 0) return 0.0;
-  const auto found = c_.tables.sensors.find(sensor);
-  if (found == c_.tables.sensors.end())
-    throw DeckFault(at, fmt::format("names the sensor {}, which the deck does not have", sensor));
-  const DeckCard& card = *found->second;
-  if (!card.keyword.starts_with("/SENSOR/TIME"))
-    throw DeckFault(card.at, "this kind of sensor has no counterpart, allowed: /SENSOR/TIME");
-  c_.report.became(card, {"inflator.start_time"}, Mapping::exact);
-  return c_.twenties(card, 1).real(0, "Tdelay") * u_.time;
-}
-
-Knots RadiossGas::flow(long function, double factor, double time_unit, bool is_flow, Place at) {
-  Knots knots =
-      c_.curve(function, time_unit, factor * (is_flow ? u_.mass_flow() : u_.mass), "inflator.mass_flow", at);
-  if (!is_flow) {
-    constexpr double moment = 1e-9;  // of the run: within the first step
-    extend_to(knots, bag_.end_time);
-    if (value_at(knots, 0.0) > 0.0)
-      c_.report.note(fmt::format("{}: {:.4g} kg that are there at time zero flow in within {:g} of the run",
-                                 c_.text.where(at), value_at(knots, 0.0), moment));
-    knots = flow_of_mass(knots, moment * bag_.end_time);
-    if (knots.empty()) throw DeckFault(at, "the function of mass has one point only");
-    c_.report.note(fmt::format("{}: cumulative mass as a mass flow that is constant between its knots",
-                               c_.text.where(at)));
-  } else {
-    extend_to(knots, bag_.end_time);
-  }
-  not_below_zero(knots, "inflator.mass_flow", c_.report);
-  return knots;
 }
 
 // A gas by gas with its own flow and temperature.
@@ -170,8 +132,8 @@ void RadiossGas::first_injector(const DeckCard& card, double start) {
     const DeckFields f(c_.text, card, line, {10, 10, 10, 10, 20, 20});
     BagInflator inflator;
     inflator.gas.shares = {{gas(f.whole(0, "Mat_ID"), f.at()), 1.0}};
-    inflator.mass_flow =
-        flow(f.whole(1, "fun_ID_M"), or_one(f.real(4, "Fscale_M")), time_unit, is_flow == 1, f.at());
+    inflator.mass_flow = injected_flow(c_, f.whole(1, "fun_ID_M"), or_one(f.real(4, "Fscale_M")), time_unit,
+                                       is_flow == 1, f.at());
     const long heat = f.whole(2, "fun_ID_T");
     const double factor = or_one(f.real(5, "Fscale_T"));
     inflator.temperature =
@@ -199,8 +161,8 @@ void RadiossGas::second_injector(const DeckCard& card, double start) {
       throw DeckFault(g.at(), "molar fractions over time have no counterpart");
     inflator.gas.shares.emplace_back(gas(g.whole(0, "mat_ID"), g.at()), g.real(1, "Molar_Fraction"));
   }
-  inflator.mass_flow =
-      flow(f.whole(0, "fun_ID_M"), or_one(f.real(2, "Fscale_M")), time_unit, is_flow == 1, f.at());
+  inflator.mass_flow = injected_flow(c_, f.whole(0, "fun_ID_M"), or_one(f.real(2, "Fscale_M")), time_unit,
+                                     is_flow == 1, f.at());
   inflator.temperature = c_.curve(f.whole(1, "fun_ID_T"), time_unit, or_one(f.real(3, "Fscale_T")),
                                   "inflator.temperature", f.at());
   inflator.start = start;
@@ -228,21 +190,15 @@ void RadiossGas::airbag() {
   if (const double loss = DeckFields(c_.text, card, line_or_blank(card, 1), {10, 10, 20}).real(2, "Hconv");
       loss > 0.0)
     c_.report.note(fmt::format("Hconv = {:g}: heat loss through the fabric has no counterpart here", loss));
-  const DeckFields scales = c_.twenties(card, 2);
-  for (std::size_t i = 0; i < 5; ++i)
-    if (or_one(scales.real(i, "a scale")) != 1.0)
-      throw DeckFault(scales.at(), "scales of abscissas other than 1 have no counterpart");
   const DeckFields f(c_.text, card, line_or_blank(card, 3), {10, 10, 20, 20, 20, 10, 10});
+  require_plain_volume(c_, c_.twenties(card, 2), f.real(2, "Mu"));
   constexpr double usual = 295.0;  // [K] the program's default
   bag_.ambient_pressure = f.real(3, "Pext") * u_.pressure();
   if (!(bag_.ambient_pressure > 0.0))
     throw DeckFault(f.at(), "Pext is 0, allowed: above 0, as it is the pressure of the gas at the start");
   bag_.initial_temperature = f.real(4, "T0") > 0.0 ? f.real(4, "T0") : usual;
   bag_.initial_gas.shares = {{gas(f.whole(0, "mat_ID"), f.at()), 1.0}};
-  const long jets = c_.tens(card, 4).whole(0, "Njet");
-  constexpr long most = 100;
-  if (jets < 0 || jets > most)
-    throw DeckFault(card.at, fmt::format("Njet = {}, allowed: 0 to {}", jets, most));
+  const long jets = injectors_of(c_, 4);
   std::size_t line = 5;
   for (long i = 0; i < jets; ++i) {
     const DeckFields j = c_.tens(card, line++);
@@ -252,7 +208,7 @@ void RadiossGas::airbag() {
           "{}: jetting by curves of angle and distance (Ijet) has no counterpart: this inflator has no jet",
           c_.text.where(j.at())));
     }
-    injector(j.whole(0, "inject_ID"), start_of(j.whole(1, "sens_ID"), j.at()), j.at());
+    injector(j.whole(0, "inject_ID"), start_of_sensor(c_, j.whole(1, "sens_ID"), j.at()), j.at());
   }
   map_openings(c_, line);
 }
@@ -283,7 +239,12 @@ void RadiossGas::simple_gas() {
 
 void map_gas(RadiossContext& context) {
   RadiossGas reader(context);
-  context.volume.keyword.starts_with("/MONVOL/GAS") ? reader.simple_gas() : reader.airbag();
+  if (has_inline_gas(context.volume))
+    map_inline_gas(context);
+  else if (context.volume.keyword.starts_with("/MONVOL/GAS"))
+    reader.simple_gas();
+  else
+    reader.airbag();
   std::vector<std::string> keys{"gas.initial.composition", "gas.initial.temperature", "ambient.pressure"};
   if (!context.bag.vents.empty()) keys.emplace_back("vent.area");
   context.report.became(context.volume, keys, Mapping::exact, "gas, inflators and vents; see also below");

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radioss_tables.hpp"
+#include "radioss_inline_gas.hpp"
 #include "vent_curves.hpp"
 
 namespace driver::imported {
@@ -21,7 +21,8 @@ class RadiossOpenings {
 
  private:
   void vent();
-  void opening(BagVent& vent, const DeckFields& f);
+  void opening(BagVent& vent, const DeckFields& f, bool is_inline = false);
+  void exchange();
   void porous();
   void leak(long part, long law, const Knots& velocity, Place at);
 
@@ -30,12 +31,14 @@ class RadiossOpenings {
   std::size_t line_;
 };
 
-// When it opens: from Tstart on, or at the overpressure dPdef.
-void RadiossOpenings::opening(BagVent& vent, const DeckFields& f) {
-  const double start = f.real(0, "Tstart"), stop = f.real(1, "Tstop"), pressure = f.real(2, "dPdef");
+// When it opens: from Tstart on, or at the overpressure dPdef. The older form has Tstop elsewhere.
+void RadiossOpenings::opening(BagVent& vent, const DeckFields& f, bool is_inline) {
+  const std::size_t of_pressure = is_inline ? 1 : 2;
+  const double start = f.real(0, "Tstart"), stop = is_inline ? 0.0 : f.real(1, "Tstop"),
+               pressure = f.real(of_pressure, "dPdef");
   if (stop > 0.0 && stop < never && stop * u_.time < c_.bag.end_time)
     throw DeckFault(f.at(), fmt::format("Tstop = {:g} before the end of the run has no counterpart", stop));
-  if (const double delay = f.real(3, "dtPdef"); delay > 0.0 && delay < never)
+  if (const double delay = f.real(of_pressure + 1, "dtPdef"); delay > 0.0 && delay < never)
     c_.report.note(fmt::format("{}: dtPdef = {:g}: a vent opens at once here when the pressure is reached",
                                c_.text.where(f.at()), delay));
   if (pressure > 0.0 && pressure < never)
@@ -49,21 +52,28 @@ void RadiossOpenings::opening(BagVent& vent, const DeckFields& f) {
 
 void RadiossOpenings::vent() {
   const DeckCard& card = c_.volume;
-  const DeckFields head(c_.text, card, line_or_blank(card, line_), {10, 10, 20, 20});
-  const long surface = head.whole(0, "surf_IDv"), form = head.whole(1, "Iform");
-  double area = head.real(2, "Avent") * u_.area();
+  const bool is_inline = has_inline_gas(card);
+  const DeckFields head = is_inline ? DeckFields(c_.text, card, line_or_blank(card, line_), {10, 20, 20, 20})
+                                    : DeckFields(c_.text, card, line_or_blank(card, line_), {10, 10, 20, 20});
+  const long surface = head.whole(0, "surf_IDv"), form = is_inline ? 1 : head.whole(1, "Iform");
+  const double given = head.real(is_inline ? 1 : 2, "Avent");
+  double area = given * u_.area();
+  if (const double stop = is_inline ? head.real(3, "Tstop") : 0.0;
+      stop > 0.0 && stop < never && stop * u_.time < c_.bag.end_time)
+    throw DeckFault(head.at(),
+                    fmt::format("Tstop = {:g} before the end of the run has no counterpart", stop));
   BagVent vent;
   vent.source = c_.text.where(head.at());
   if (surface != 0) {
     area = 0.0;
     for (const long part : c_.parts_of_surface(surface, head.at())) area += c_.area_of(part);
-    area *= head.real(2, "Avent");
+    area *= given;
     c_.report.note(
         fmt::format("{}: the vent's area is that of surface {} at the start, {:.3g} m2 with its factor, and "
                     "does not change",
                     vent.source, surface, area));
   }
-  opening(vent, c_.twenties(card, line_ + 1));
+  opening(vent, c_.twenties(card, line_ + 1), is_inline);
   const DeckFields f(c_.text, card, line_or_blank(card, line_ + 2), {10, 10, 10, 10, 20, 20, 20});
   const long of_time = f.whole(0, "fct_IDt"), of_pressure = f.whole(1, "fct_IDP");
   if (f.whole(2, "fct_IDA") != 0)
@@ -179,16 +189,22 @@ void RadiossOpenings::porous() {
 
 void RadiossOpenings::read() {
   const DeckFields f = c_.tens(c_.volume, line_++);
-  const long vents = f.whole(0, "Nvent"), surfaces = f.whole(1, "Nporsurf");
+  const long vents = f.whole(0, "Nvent"), surfaces = has_inline_gas(c_.volume) ? 0 : f.whole(1, "Nporsurf");
   constexpr long most = 1000;
   if (vents < 0 || surfaces < 0 || vents > most || surfaces > most)
     throw DeckFault(f.at(), fmt::format("Nvent and Nporsurf, allowed: 0 to {}", most));
   for (long i = 0; i < vents; ++i) vent();
   for (long i = 0; i < surfaces; ++i) porous();
-  if (!c_.volume.keyword.starts_with("/MONVOL/COMMU1")) return;
-  if (c_.tens(c_.volume, line_).whole(0, "Nbag") > 0)
+  if (c_.volume.keyword.starts_with("/MONVOL/COMMU")) exchange();
+}
+
+// What flows between chambers: freely if they are one.
+void RadiossOpenings::exchange() {
+  if (c_.tens(c_.volume, line_).whole(0, "Nbag") <= 0) return;
+  if (!c_.chambers_are_one)
     throw DeckFault(c_.volume.at,
-                    "chambers that exchange gas (Nbag above 0) have no counterpart, allowed: one chamber");
+                    "chambers that exchange gas (Nbag above 0) have no counterpart, allowed: one chamber, "
+                    "or all as one by --merge-chambers");
 }
 
 }  // namespace

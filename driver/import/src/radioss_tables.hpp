@@ -60,6 +60,7 @@ struct RadiossContext {
   BagDeck& bag;
   const DeckCard& volume;                // the monitored volume
   std::map<long, std::string> panels{};  // parts of the surface, by their numbers
+  bool chambers_are_one = false;         // volumes that exchange gas are one
 
   DeckFields tens(const DeckCard& card, std::size_t line) const;      // ten fields of ten columns
   DeckFields twenties(const DeckCard& card, std::size_t line) const;  // five fields of twenty columns

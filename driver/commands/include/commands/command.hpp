@@ -122,6 +122,7 @@ struct ImportArguments {
   std::filesystem::path out;
   std::optional<long> bag;           // number of the airbag, if the deck has several
   std::optional<std::string> units;  // of a deck that does not state them
+  bool merge_chambers = false;       // all monitored volumes are one chamber
 };
 int import_deck(const ImportArguments& arguments);
 

@@ -12,6 +12,7 @@ namespace driver::imported {
 struct ImportOptions {
   std::optional<long> bag;           // number of the airbag or monitored volume; needed if there are several
   std::optional<std::string> units;  // mass-length-time, of a deck that does not state them
+  bool merge_chambers = false;       // all monitored volumes of a Radioss deck are one chamber
 };
 
 /// What a deck became: a bag, and the card that it was made of. Without `card` no bag was found.
