@@ -176,10 +176,11 @@ bool SurfaceBuilder::close_holes() {
                     "or tethers make them, which have no counterpart",
                     found.seams));
   if (!found.shared.empty())
-    return fail(fmt::format(
-        "the control volume has holes that share {} nodes, the first at {}, so no cap closes them; close "
-        "them by shells or segments",
-        found.shared.size(), at(found.shared.front())));
+    return fail(
+        fmt::format("the control volume has holes that meet at {} nodes, the first at {}, so that their rims "
+                    "cannot be told "
+                    "apart; close them by shells or segments",
+                    found.shared.size(), at(found.shared.front())));
   const double fabric = mesh::element_areas(mesh.nodes, mesh.elements).sum();
   double closed = 0.0;
   for (const auto& rim : found.rims) {
@@ -187,7 +188,7 @@ bool SurfaceBuilder::close_holes() {
     if (area == 0.0) return false;
     closed += area;
   }
-  constexpr double most = 0.3;  // of the fabric's area
+  constexpr double most = 0.5;  // of the fabric's area, as of a hemisphere; a flat sheet has 1
   if (closed > most * fabric && !closed_by_deck_)
     return fail(
         fmt::format("the control volume is open: its {} holes have {:.3g} m2, {:.2g} of the fabric's area, "
@@ -201,6 +202,21 @@ bool SurfaceBuilder::close_holes() {
 double SurfaceBuilder::close(const std::vector<int>& rim, double fabric) {
   std::vector<Eigen::Vector3d> corners;
   for (const int node : rim) corners.push_back(places_[static_cast<std::size_t>(node)]);
+  Eigen::Vector3d twice = Eigen::Vector3d::Zero();  // the area, as a vector
+  double perimeter = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d& next = corners[(i + 1) % corners.size()];
+    twice += (corners[i] - corners[0]).cross(next - corners[0]);
+    perimeter += (next - corners[i]).norm();
+  }
+  constexpr double slit = 1e-6;  // area over the square of the perimeter: what six digits of a deck leave
+  if (twice.norm() <= slit * perimeter * perimeter) {
+    fail(
+        fmt::format("the control volume has a slit with {} nodes at {}, whose sides lie on each other; join "
+                    "them in the deck",
+                    rim.size(), at(rim.front())));
+    return 0.0;
+  }
   constexpr std::size_t most_nodes = 2000;
   const auto pieces = rim.size() > most_nodes ? std::vector<std::array<int, 3>>{} : triangles_of(corners);
   if (pieces.empty()) {
@@ -210,14 +226,14 @@ double SurfaceBuilder::close(const std::vector<int>& rim, double fabric) {
         rim.size(), at(rim.front())));
     return 0.0;
   }
-  const std::string name = fmt::format("cap_{}", surface_.caps.size() + 1);
+  const auto place = [&](int i) -> const Eigen::Vector3d& { return corners[static_cast<std::size_t>(i)]; };
   double area = 0.0;
+  for (const auto& [a, b, c] : pieces) area += 0.5 * (place(b) - place(a)).cross(place(c) - place(a)).norm();
+  const std::string name = fmt::format("cap_{}", surface_.caps.size() + 1);
   for (const auto& [a, b, c] : pieces) {
     const auto corner = [&](int i) { return rim[static_cast<std::size_t>(i)]; };
-    const auto place = [&](int i) -> const Eigen::Vector3d& { return corners[static_cast<std::size_t>(i)]; };
     triangles_.push_back({corner(a), corner(b), corner(c)});
     surface_.mesh.panel.push_back(panel_of(name));
-    area += 0.5 * (place(b) - place(a)).cross(place(c) - place(a)).norm();
   }
   surface_.caps.push_back(name);
   report_.note(fmt::format(

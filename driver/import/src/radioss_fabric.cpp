@@ -62,6 +62,7 @@ class RadiossFabricReader {
   void woven(const DeckCard& card, BagFabric& fabric);
   void threads(const DeckCard& card, BagFabric& fabric);
   void elastic(const DeckCard& card, BagFabric& fabric);
+  void start_stress(const DeckCard& card, double zeroed);
   void property(const DeckCard& card, bool needs_warp, BagFabric& fabric);
   void density(const DeckCard& card, BagFabric& fabric) {
     fabric.density = c_.twenties(card, 1).real(0, "RHO_I") * u_.density();
@@ -80,6 +81,15 @@ bool is_isotropic_weave(const BagFabric& f) {
   return std::abs(f.weft_modulus / f.warp_modulus - 1.0) < digits && std::abs(f.shear / shear - 1.0) < digits;
 }
 
+// A share of the stress that the reference geometry makes at the start is taken away until it has gone.
+void RadiossFabricReader::start_stress(const DeckCard& card, double zeroed) {
+  if (zeroed != 0.0)
+    c_.report.note(fmt::format(
+        "{}: ZEROSTRESS = {:g}: that share of the stress of a reference geometry at the start is taken away "
+        "there; here it stays",
+        c_.text.where(card.at), zeroed));
+}
+
 void RadiossFabricReader::woven(const DeckCard& card, BagFabric& fabric) {
   density(card, fabric);
   const DeckFields e = c_.twenties(card, 2);
@@ -90,6 +100,7 @@ void RadiossFabricReader::woven(const DeckCard& card, BagFabric& fabric) {
   if (!(fabric.warp_modulus > 0.0) || !(fabric.weft_modulus > 0.0))
     throw DeckFault(card.at, "E11 and E22 are needed, above 0");
   const double in_compression = c_.twenties(card, 4).real(0, "R_E");
+  start_stress(card, c_.twenties(card, 4).real(2, "ZEROSTRESS"));
   constexpr double most_slack = 0.5;
   c_.bag.carries_compression = in_compression == 0.0 || in_compression > most_slack;
   if (!c_.bag.carries_compression)
@@ -106,6 +117,7 @@ void RadiossFabricReader::threads(const DeckCard& card, BagFabric& fabric) {
   density(card, fabric);
   const DeckFields e = c_.twenties(card, 2), g = c_.twenties(card, 3);
   const DeckFields crimp(c_.text, card, line_or_blank(card, 5), {10, 10, 20, 20, 20, 20});
+  start_stress(card, c_.twenties(card, 4).real(3, "ZEROSTRESS"));
   fabric.warp_modulus = e.real(0, "E1") * u_.pressure();
   fabric.weft_modulus = e.real(2, "E2") * u_.pressure();
   fabric.shear = g.real(0, "G0") * u_.pressure();

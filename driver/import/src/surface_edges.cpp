@@ -113,29 +113,108 @@ std::vector<std::array<int, 3>> pieces_of(const Polygon& polygon,
   return pieces;
 }
 
-Rims rims_of(const Eigen::Matrix3Xi& elements) {
+namespace {
+
+/// Free sides of elements in the direction of caps, which is against the elements' own.
+class FreeSides {
+ public:
+  explicit FreeSides(const Eigen::Matrix3Xi& elements);
+  int seams() const { return seams_; }
+  std::vector<std::vector<int>> rims();
+  const std::vector<int>& unclear() const { return unclear_; }
+
+ private:
+  void pair_at(int node, const std::vector<int>& after);
+  int before(int node, int after) const;
+
+  std::map<std::array<int, 2>, int> third_;  // of the element with this side, in its direction
+  std::map<int, std::vector<int>> after_;    // nodes after a node, one a hole
+  std::map<std::array<int, 2>, int> turn_;   // node after a way to a node that two holes share
+  std::set<int> shared_;
+  std::vector<int> unclear_;
+  int seams_ = 0;
+};
+
+FreeSides::FreeSides(const Eigen::Matrix3Xi& elements) {
   std::map<std::array<int, 2>, int> count;
-  for (Eigen::Index e = 0; e < elements.cols(); ++e)
-    for (Eigen::Index i = 0; i < 3; ++i) ++count[side(elements(i, e), elements((i + 1) % 3, e))];
-  Rims found;
-  for (const auto& [nodes, times] : count) found.seams += times > 2;
-  std::map<int, int> next;  // along the cap: against the elements' own direction
   for (Eigen::Index e = 0; e < elements.cols(); ++e)
     for (Eigen::Index i = 0; i < 3; ++i) {
       const int a = elements(i, e), b = elements((i + 1) % 3, e);
-      if (count[side(a, b)] == 1 && !next.emplace(b, a).second) found.shared.push_back(b);
+      ++count[side(a, b)];
+      third_[{a, b}] = elements((i + 2) % 3, e);
     }
-  if (!found.shared.empty()) return found;
-  while (!next.empty()) {
-    std::vector<int> rim{next.begin()->first};
-    for (auto step = next.find(rim.back()); step != next.end(); step = next.find(rim.back())) {
-      const int to = step->second;
-      next.erase(step);
-      if (to == rim.front()) break;
-      rim.push_back(to);
+  for (const auto& [nodes, times] : count) seams_ += times > 2;
+  if (seams_ > 0) return;
+  for (const auto& [nodes, third] : third_)
+    if (count[side(nodes[0], nodes[1])] == 1) after_[nodes[1]].push_back(nodes[0]);
+  for (const auto& [node, after] : after_)
+    if (after.size() > 1) {
+      shared_.insert(node);
+      pair_at(node, after);
     }
-    found.rims.push_back(std::move(rim));
+}
+
+// The last node on the way to a node along the rim of the elements that the way on to `after` bounds.
+int FreeSides::before(int node, int after) const {
+  auto element = third_.find({after, node});
+  for (std::size_t i = 0; element != third_.end() && i < third_.size(); ++i) {
+    const int c = element->second;
+    element = third_.find({c, node});
+    if (element == third_.end()) return c;
   }
+  return -1;
+}
+
+// Elements around a node that two holes share are two fans. Each hole lies between both, so its rim comes
+// along one fan and goes along the other.
+void FreeSides::pair_at(int node, const std::vector<int>& after) {
+  if (after.size() != 2) {
+    unclear_.push_back(node);
+    return;
+  }
+  for (const auto& [mine, other] : {std::pair{after[0], after[1]}, std::pair{after[1], after[0]}}) {
+    const int from = before(node, mine);
+    if (from < 0) return unclear_.push_back(node);
+    turn_[{from, node}] = other;
+  }
+}
+
+std::vector<std::vector<int>> FreeSides::rims() {
+  std::vector<std::vector<int>> rims;
+  while (!after_.empty()) {
+    auto start = std::ranges::find_if(after_, [&](const auto& n) { return !shared_.contains(n.first); });
+    if (start == after_.end()) start = after_.begin();
+    std::vector<int> rim{start->first};
+    int from = -1, to = start->second.front();
+    while (true) {
+      const int at = rim.back();
+      std::vector<int>& ways = after_[at];
+      if (const auto turn = turn_.find({from, at}); turn != turn_.end())
+        to = turn->second;
+      else if (from >= 0)
+        to = ways.front();
+      std::erase(ways, to);
+      if (ways.empty()) after_.erase(at);
+      if (to == rim.front() || !after_.contains(to)) break;
+      if (std::ranges::find(rim, to) != rim.end()) unclear_.push_back(to);
+      rim.push_back(to);
+      from = at;
+    }
+    rims.push_back(std::move(rim));
+  }
+  return rims;
+}
+
+}  // namespace
+
+Rims rims_of(const Eigen::Matrix3Xi& elements) {
+  FreeSides sides(elements);
+  Rims found;
+  found.seams = sides.seams();
+  if (found.seams > 0) return found;
+  if (sides.unclear().empty()) found.rims = sides.rims();
+  found.shared = sides.unclear();
+  if (!found.shared.empty()) found.rims.clear();
   return found;
 }
 

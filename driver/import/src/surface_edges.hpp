@@ -36,11 +36,11 @@ int join_hanging_nodes(const std::vector<Eigen::Vector3d>& places, std::vector<P
 std::vector<std::array<int, 3>> pieces_of(const Polygon& polygon,
                                           const std::function<Eigen::Vector3d(int)>& reference, Sides& sides);
 
-/// The holes of a surface.
+/// The holes of a surface. Two may share a node.
 struct Rims {
   std::vector<std::vector<int>> rims;  // each in the direction of a cap that faces outward
   int seams = 0;                       // edges of more than two elements
-  std::vector<int> shared;             // nodes that more than one rim has; `rims` is then empty
+  std::vector<int> shared;             // nodes where rims cannot be told apart; `rims` is then empty
 };
 Rims rims_of(const Eigen::Matrix3Xi& elements);
 
