@@ -10,7 +10,7 @@ FOLDER has one folder a repository, as `git clone` leaves it; nothing is downloa
   https://github.com/Firehawk4427/PILLARS-LSDyna
   https://github.com/ansys/pydyna                    tests/testfiles
   https://github.com/kamakiri1225/OpenRadiossExample
-Their units are not stated in LS-DYNA decks; they follow from their numbers, below. A case runs for so many steps at
+Volumes that exchange gas are imported as one chamber. Units are not stated in LS-DYNA decks; they follow from their numbers, below. A case runs for so many steps at
 most, or to its end: these bags take up to a day. `balanced` is the program's own verdict on mass, energy and momentum."""
 import argparse
 import csv
@@ -35,6 +35,11 @@ def units_of(deck, text):
     return ["--units", "kg-m-s"]
 
 
+def chambers_of(text):
+    """Volumes that exchange gas are imported as one chamber."""
+    return ["--merge-chambers"] if text.count("/MONVOL/COMMU") > 1 else []
+
+
 def run(words, seconds):
     try:
         done = subprocess.run([str(word) for word in words], capture_output=True, timeout=seconds, text=True, errors="replace")
@@ -55,7 +60,7 @@ def judge(gasjet, deck, options):
     text = deck.read_text(errors="replace")
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "case"
-        code, said = run([gasjet, "import", deck, "--out", out, *units_of(deck, text)], options.seconds)
+        code, said = run([gasjet, "import", deck, "--out", out, *units_of(deck, text), *chambers_of(text)], options.seconds)
         row = {"deck": "", "nodes": "", "elements": "", "import": {0: "case", 2: "refused"}.get(code, f"failed ({code})"), "run": "", "share": "", "why": ""}
         if code != 0:
             row["why"] = said.split("\n")[0].split(": ", 1)[-1] if code == 2 else said[-200:]
