@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Imports public decks whose repository keeps their histories, runs what is written, and writes a table of the differences.
 
-usage: scripts/import_judged.py GASJET FOLDER --out docs/import_judged.csv
+usage: scripts/import_judged.py GASJET FOLDER --out docs/import_judged.csv [--long]
 
-FOLDER is a clone of https://github.com/OpenRadioss/OpenRadioss; nothing is downloaded here. The stored histories are those of
-its own tests. `gasjet compare` gives the differences, as shares of the largest magnitude of the stored history. Nothing of a
-case is changed, but for the variant `stored outflow`, which tells the causes of the differences apart: its vents pass what the
-stored history let out, and its start is free of stress."""
+FOLDER has one folder a repository, as of scripts/import_corpus.py; nothing is downloaded here:
+  OpenRadioss+OpenRadioss       https://github.com/OpenRadioss/OpenRadioss, whose tests keep histories (T01)
+  Firehawk4427+PILLARS-LSDyna   https://github.com/Firehawk4427/PILLARS-LSDyna, which keeps one of LS-DYNA (abstat)
+`gasjet compare` gives the differences, as shares of the largest magnitude of the stored history. Nothing of a case is changed,
+but for the variant `stored outflow`, which tells the causes of the differences apart: its vents pass what the stored history
+let out, and its start is free of stress. --long takes the decks whose runs need more than a minute, too."""
 import argparse
 import csv
 import io
@@ -23,16 +25,28 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "verification/openradioss"))
 import time_history  # noqa: E402
 
-TESTS = "qa-tests/miniqa"
-# Name, deck, history, options of the import, chambers, ends of the windows [ms], variants. All are in kg, mm and ms.
+TESTS = "OpenRadioss+OpenRadioss/qa-tests/miniqa"
+LEAKS = f"{TESTS}/LOIS/LEAK_MAT"
+BAGS = "Firehawk4427+PILLARS-LSDyna/pillars_v2_airbag_open/keyfiles/100/20"
+# Name, deck, history, options of the import, chambers (0: an abstat), ends of the windows [ms], variants. The Radioss decks are in kg, mm, ms.
 DECKS = [
-    ("jetting41b", "AIRBAG/jetting41b/data/JETV41B_0000.rad", "AIRBAG/jetting41b/reference/JETV41BT01", ["--merge-chambers"], 2, [5, 10], ["imported"]),
-    ("LEAK_MAT LAW19", "LOIS/LEAK_MAT/run2_LAW19_quads/data/RBPLI_0000.rad", "LOIS/LEAK_MAT/run2_LAW19_quads/reference/RBPLIT01", [], 1, [40],
-     ["imported", "stored outflow"]),
-    ("LEAK_MAT LAW58", "LOIS/LEAK_MAT/run2_LAW58_quads/data/RBPLI_0000.rad", "LOIS/LEAK_MAT/run2_LAW58_quads/reference/RBPLIT01", [], 1, [40],
-     ["imported", "stored outflow"]),
+    ("jetting41b", f"{TESTS}/AIRBAG/jetting41b/data/JETV41B_0000.rad", f"{TESTS}/AIRBAG/jetting41b/reference/JETV41BT01", ["--merge-chambers"], 2, [5, 10],
+     ["imported"]),
+    *((f"LEAK_MAT {law}", f"{LEAKS}/run2_{law}_quads/data/RBPLI_0000.rad", f"{LEAKS}/run2_{law}_quads/reference/RBPLIT01", [], 1, [40],
+       ["imported", "stored outflow"]) for law in ("LAW19", "LAW58")),
+    ("open_airbag_v129", f"{BAGS}/open_airbag_v129.k", f"{BAGS}/abstat", ["--units", "kg-m-s"], 0, [1000], ["imported"]),
 ]
+LONG = ["open_airbag_v129"]
 COLUMNS = ["pressure_Pa", "volume_m3", "temperature_K", "gas_mass_kg"]
+
+
+def abstat_rows(path):
+    """The first numbers of an abstat's rows of the only airbag, in SI units."""
+    for line in path.read_text(errors="replace").splitlines():
+        fields = line.split()
+        if len(fields) >= 13 and fields[1] == "1" and re.match(r"[0-9.]+E", fields[0]):
+            time, volume, pressure, mass, temperature = (float(fields[i]) for i in (0, 2, 3, 8, 9))
+            yield {"time_s": time, "pressure_Pa": pressure, "volume_m3": volume, "temperature_K": temperature, "gas_mass_kg": mass}
 
 
 def stored_rows(path, chambers):
@@ -75,18 +89,19 @@ def ran(*words):
     return done.stdout
 
 
-def judged(gasjet, tests, deck):
+def judged(gasjet, repositories, deck):
     name, deck, history, options, chambers, ends, variants = deck
-    stored = list(stored_rows(tests / history, chambers))
+    stored = list(stored_rows(repositories / history, chambers) if chambers else abstat_rows(repositories / history))
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
-        ran(gasjet, "import", tests / deck, "--out", folder / "case", *options)
+        ran(gasjet, "import", repositories / deck, "--out", folder / "case", *options)
         case = next((folder / "case").glob("*.toml"))
         text = case.read_text()
         for variant in variants:
             case.write_text(with_stored_outflow(text, stored) if variant == "stored outflow" else text)
             results = folder / variant.replace(" ", "_")
-            ran(gasjet, "run", case, "--out", results, "--quiet", "--set", "output.history_every=1e-5", "--set", "output.frames=0")
+            ran(gasjet, "run", case, "--out", results, "--quiet", "--set", f"output.history_every={max(ends) * 1e-7}", "--set", "output.frames=0",
+                "--set", f"scene.end_time={max(ends) * 1e-3}")
             for end in ends:
                 write(folder / "stored.csv", stored, end * 1e-3)
                 said = json.loads(ran(gasjet, "compare", results / "history.csv", folder / "stored.csv", "--columns", ",".join(COLUMNS), "--tolerance", "2%",
@@ -105,12 +120,13 @@ def main():
     parser.add_argument("gasjet", type=Path)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--long", action="store_true", help="take the decks with long runs, too")
     options = parser.parse_args()
     gasjet = options.gasjet.resolve()
-    rows = [row for deck in DECKS for row in judged(gasjet, options.folder / TESTS, deck)]
+    rows = [row for deck in DECKS if options.long or deck[0] not in LONG for row in judged(gasjet, options.folder, deck)]
     with open(options.out, "w", newline="") as file:
         file.write(f"# {ran(gasjet, '--version')}")
-        file.write("# stored histories: qa-tests of https://github.com/OpenRadioss/OpenRadioss; shares of their largest magnitude\n")
+        file.write("# stored histories: see scripts/import_judged.py; shares of their largest magnitude\n")
         table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
         table.writeheader()
         table.writerows(rows)
