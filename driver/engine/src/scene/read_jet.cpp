@@ -4,12 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <string>
 
 #include "engine/supply.hpp"
 #include "jet/centreline.hpp"
