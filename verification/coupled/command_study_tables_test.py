@@ -128,7 +128,7 @@ def test_study_pictures():
 
 
 def test_study_pictures_of_designs():
-    tank_plan('design = "sobol_indices"', "points = 16", *flow("range = [0.05, 0.15]", 'scale = "logarithmic"'),
+    tank_plan('design = "sobol_indices"', "points = 16", *flow("range = [0.01, 0.15]", 'scale = "logarithmic"'),
               *factor("tank.volume", "range = [0.05, 0.07]"), "[analysis]", "pictures = true")
     expect(0, "64 of 64 runs", "study run plan.toml --out indices")
     drawn("indices", "means", "inflator.0.mass_flow")

@@ -11,7 +11,7 @@
 namespace driver {
 namespace {
 
-constexpr int all_width = 900, right_margin = 20, title_height = 34;  // [pixels]
+constexpr int all_width = 900, title_height = 34;  // [pixels]
 
 // The text at a tic is a format of its place.
 std::string as_tic(const std::string& name) {
@@ -47,8 +47,8 @@ set xtics rotate by 25 right
 set format xy '%g'
 )" + settings +
          fmt::format("set multiplot layout {},{} margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}\n",
-                     rows, all.columns, all.left / w, 1.0 - right_margin / w, all.below / h,
-                     1.0 - (all.top + title_height) / h, (all.left + right_margin) / w,
+                     rows, all.columns, all.left / w, 1.0 - all.right / w, all.below / h,
+                     1.0 - (all.top + title_height) / h, (all.left + all.right) / w,
                      (title_height + all.below) / h);
 }
 

@@ -14,7 +14,7 @@ inline constexpr std::size_t most_marks = 20'000;  // beyond that a picture is a
 struct Panels {
   std::size_t count = 0;
   int columns = 1, height = 220;  // of a panel
-  int left = 90, below = 84, top = 6;
+  int left = 90, right = 20, below = 84, top = 6;
 };
 
 /// Settings of a key above all panels: that of the first one.

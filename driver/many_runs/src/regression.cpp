@@ -71,6 +71,12 @@ double squares(const std::vector<double>& sizes, const std::vector<double>& valu
 
 }  // namespace
 
+double ResponseSurface::at(const std::vector<double>& point) const {
+  double sum = 0.0;
+  for (const Term& term : terms) sum += term.coefficient * product(term, point);
+  return sum;
+}
+
 std::optional<ResponseSurface> fit_surface(const std::vector<std::vector<double>>& points,
                                            const std::vector<double>& values) {
   if (points.empty()) return std::nullopt;

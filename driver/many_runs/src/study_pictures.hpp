@@ -12,6 +12,10 @@ struct StudyPicture {
 };
 /// Against the first factor that has numbers, else by point.
 StudyPicture means_picture(const StudyPlan& plan, const RunJournal::Runs& runs);
+/// Of a sampled design: a panel for each quantity and factor, the points with their trend.
+StudyPicture trends_picture(const StudyPlan& plan, const RunJournal::Runs& runs, const SpreadTable& table);
+/// A panel for each quantity and pair of factors, the others in the middle of their scales.
+StudyPicture surface_picture(const StudyPlan& plan, const RunJournal::Runs& runs);
 StudyPicture sobol_picture(const StudyPlan& plan, const SobolTable& table);
 StudyPicture convergence_picture(const StudyPlan& plan, const std::vector<SizeFit>& fits);
 

@@ -129,7 +129,7 @@ StudyPicture convergence_picture(const StudyPlan& plan, const std::vector<SizeFi
   if (all.count == 0) return {{}, "no fits"};
   all.columns = all.count > 1 ? 2 : 1;
   all.height = 260;
-  const std::string settings = settings_of_sizes(plan.factors[*plan.convergence]);
+  const std::string settings = settings_of_sizes(plan.factors[*plan.analysis.convergence]);
   return {"# Means less the limit of their fit, and the fit.\n" + blocks +
               open_panels("convergence", all, settings) + panels,
           {}};

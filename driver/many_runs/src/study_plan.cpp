@@ -19,110 +19,13 @@
 namespace driver {
 namespace {
 
-constexpr Bounds small_length{1e-18, 1e-3, false, "1e-18 to 1e-3", "m"};
-
-std::vector<std::string> overrides_of(TableReader& table) {
-  std::vector<std::string> overrides = table.at("set").texts();
-  for (const auto& path : table.at("unset").texts()) overrides.push_back(std::string(unset_prefix) + path);
-  return overrides;
-}
-
-// Seeds set the perturbation themselves; another one would add to it.
-void refuse_perturbation(TableReader& table, const char* key, const std::vector<std::string>& overrides) {
-  for (const auto& text : overrides)
-    if (text.starts_with("membrane.perturbation"))
-      table.fail(key, fmt::format("has \"{}\", but seeds set the perturbation (amplitude)", text));
-}
-
-void read_levels(TableReader& table, StudyFactor& factor, int seeds) {
-  for (auto& reader : table.tables("level")) {
-    StudyLevel level{reader.at("name").text(), overrides_of(reader), std::nullopt};
-    if (seeds == 0 && (reader.has("seeds") || reader.has("amplitude")))
-      reader.fail("", "has seeds or an amplitude, which need study.seeds of 1 or more");
-    if (reader.has("seeds")) level.seeds = reader.at("seeds").integer(1, seeds, seeds);
-    if (seeds > 0) refuse_perturbation(reader, "set", level.overrides);
-    level.amplitude = reader.at("amplitude").optional_number(small_length);
-    reader.finish();
-    factor.levels.push_back(std::move(level));
-  }
-  if (factor.levels.empty()) table.fail("key", "is missing, needed: a key or [[factor.level]]");
-}
-
-void read_range(TableReader& table, StudyFactor& factor) {
-  const auto range = table.at("range").numbers(any_number);
-  factor.logarithmic = table.at("scale").choice<bool>({{"linear", false}, {"logarithmic", true}}, "linear");
-  if (range.size() != 2 || !(range[0] < range[1]))
-    table.fail("range", "is not a range, allowed: [low, high] with low < high");
-  if (factor.logarithmic && !(range[0] > 0.0))
-    table.fail("range", "reaches 0 or below, which a logarithmic scale does not");
-  factor.low = range[0], factor.high = range[1];
-}
-
-StudyFactor read_factor(TableReader& table, int seeds) {
-  StudyFactor factor;
-  factor.path = table.path();
-  if (table.has("key")) factor.key = table.at("key").text();
-  if (seeds > 0) refuse_perturbation(table, "key", {factor.key});
-  factor.name = factor.key.empty() ? table.at("name").text() : table.at("name").text(factor.key);
-  if (factor.key.empty())
-    read_levels(table, factor, seeds);
-  else if (table.has("values"))
-    for (const auto& [text, number] : table.at("values").elements())
-      factor.levels.push_back({text, {factor.key + '=' + text}, number});
-  else if (table.has("range"))
-    read_range(table, factor);
-  table.finish();
-  return factor;
-}
-
-bool is_same(const PathPart& a, const PathPart& b) {
-  return a.key == b.key;
-}
-
-// What a factor sets: its key, or those of its levels.
-std::vector<std::vector<PathPart>> paths_of(const StudyFactor& factor) {
-  if (!factor.key.empty()) return {split_path(factor.key)};
-  std::vector<std::vector<PathPart>> paths;
-  for (const auto& level : factor.levels)
-    for (const auto& text : level.overrides)
-      if (!text.starts_with(unset_prefix)) paths.push_back(split_path(text.substr(0, text.find('='))));
-  return paths;
-}
-
-// A factor that sets what one before it sets, or a table around that, would leave the other without effect.
-void require_own_keys(TableReader& table, const std::vector<StudyFactor>& factors) {
-  const auto later = paths_of(factors.back());
-  for (std::size_t f = 0; f + 1 < factors.size(); ++f)
-    for (const auto& earlier : paths_of(factors[f]))
-      for (const auto& path : later)
-        if (path.size() <= earlier.size() && std::equal(path.begin(), path.end(), earlier.begin(), is_same))
-          table.fail(factors.back().key.empty() ? "" : "key",
-                     fmt::format("sets again what {} sets: use another key, or levels that set both",
-                                 factors[f].name));
-}
-
-void read_factors(TableReader& root, StudyPlan& plan) {
-  std::set<std::string> names;
-  for (auto& table : root.tables("factor")) {
-    table.allow_only({"key", "level", "name", "range", "scale", "values"});
-    plan.factors.push_back(read_factor(table, plan.seeds));
-    if (!names.insert(plan.factors.back().name).second)
-      table.fail("name", fmt::format("is \"{}\", which is another factor already", plan.factors.back().name));
-    require_own_keys(table, plan.factors);
-    std::set<std::string> levels;
-    for (const auto& level : plan.factors.back().levels)
-      if (!levels.insert(level.name).second)
-        table.fail("", fmt::format("has the level \"{}\" twice", level.name));
-  }
-}
-
 // Each column of a table has a name of its own.
 void check_names(TableReader& root, const StudyPlan& plan) {
   std::set<std::string> columns{"point",    "seed",     "status",   "steps",          "message",
                                 "cpu_s",    "quantity", "mean",     "standard_error", "runs",
                                 "left_out", "mean_low", "mean_high"};
   if (plan.base) columns.insert({"difference", "difference_standard_error", "pairs"});
-  if (plan.convergence) columns.insert({"limit", "order", "coefficient", "residual", "sizes"});
+  if (plan.analysis.convergence) columns.insert({"limit", "order", "coefficient", "residual", "sizes"});
   columns.insert(plan.quantities.begin(), plan.quantities.end());
   auto tables = root.tables("factor");
   for (std::size_t f = 0; f < tables.size(); ++f)
@@ -259,16 +162,17 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.inputs = std::make_shared<StudyInputs>();
   CaseDocument document = CaseDocument::of_text(plan.text, file, {});
   TableReader root = document.root();
-  root.allow_only({"analysis", "factor", "stop", "study"});
+  root.allow_only({"analysis", "correlation", "factor", "limit", "stop", "study"});
   TableReader table = root.table("study");
   table.allow_only({"amplitude", "case", "design", "file", "name", "points", "quantities", "sampling_seed",
                     "seeds", "set", "unset"});
   plan.name = file_name(table, "name", file.stem().string());
   plan.case_file = table.beside_case(table.at("case").text());
-  plan.overrides = overrides_of(table);
+  plan.overrides = read_overrides(table);
   plan.seeds = table.at("seeds").integer(0, 1'000'000, 0);
   plan.amplitude = table.at("amplitude").number(small_length, default_amplitude);
   read_factors(root, plan);
+  read_correlations(root, plan);
   check_perturbation(table, plan, base_scene(table, plan));
   table.located("", [&] { plan.points = points_of(table, plan); });
   check_points(root, plan);
@@ -276,6 +180,7 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.quantities = quantities_of(table, study_scene(plan, study_overrides(plan, plan.points.front())));
   table.finish();
   read_analysis(root, plan);
+  read_limits(root, plan);
   check_names(root, plan);
   root.finish();
   set_id(document, plan);

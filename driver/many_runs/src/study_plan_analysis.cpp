@@ -24,6 +24,15 @@ std::size_t factor_named(TableReader& table, const char* key, const StudyPlan& p
                                               fmt::join(names, ", ")));
 }
 
+std::size_t quantity_named(TableReader& table, const StudyPlan& plan) {
+  const auto name = table.at("quantity").text();
+  const auto found = std::ranges::find(plan.quantities, name);
+  if (found == plan.quantities.end())
+    table.fail("quantity", fmt::format("is \"{}\", allowed: one of the study's quantities {}", name,
+                                       fmt::join(plan.quantities, ", ")));
+  return static_cast<std::size_t>(found - plan.quantities.begin());
+}
+
 // Base of each point: all its levels but one are the same.
 void set_bases(StudyPlan& plan) {
   const StudyFactor& factor = plan.factors[plan.base->factor];
@@ -105,8 +114,8 @@ void check_surface(TableReader& table, const StudyPlan& plan) {
 }
 
 void read_convergence(TableReader& table, StudyPlan& plan) {
-  plan.convergence = factor_named(table, "convergence", plan);
-  const auto& levels = plan.factors[*plan.convergence].levels;
+  plan.analysis.convergence = factor_named(table, "convergence", plan);
+  const auto& levels = plan.factors[*plan.analysis.convergence].levels;
   if (levels.size() < 3 ||
       !std::ranges::all_of(levels, [](const auto& level) { return level.number.value_or(0.0) > 0.0; }))
     table.fail("convergence", "needs a factor with 3 or more sizes above 0");
@@ -120,9 +129,9 @@ void read_tables(TableReader& root, StudyPlan& plan) {
   auto table = root.optional_table("analysis");
   if (!table) return;
   read_base(*table, plan);
-  plan.response_surface = table->at("response_surface").flag(false);
-  if (plan.response_surface) check_surface(*table, plan);
-  plan.pictures = table->at("pictures").flag(false);
+  plan.analysis.response_surface = table->at("response_surface").flag(false);
+  if (plan.analysis.response_surface) check_surface(*table, plan);
+  plan.analysis.pictures = table->at("pictures").flag(false);
   if (table->has("convergence")) read_convergence(*table, plan);
   table->finish();
 }
@@ -132,10 +141,7 @@ void read_stop(TableReader& root, StudyPlan& plan) {
   if (table) table->allow_only({"most_seeds", "quantity", "sign_error_rate", "standard_error"});
   if (!table) return;
   StudyStop stop;
-  stop.quantity = table->at("quantity").text();
-  if (std::ranges::find(plan.quantities, stop.quantity) == plan.quantities.end())
-    table->fail("quantity", fmt::format("is \"{}\", allowed: one of the study's quantities {}", stop.quantity,
-                                        fmt::join(plan.quantities, ", ")));
+  stop.quantity = plan.quantities[quantity_named(*table, plan)];
   stop.standard_error = table->at("standard_error").optional_number(positive);
   stop.error_rate = table->at("sign_error_rate").optional_number(rate);
   if (stop.standard_error.has_value() == stop.error_rate.has_value())
@@ -159,10 +165,31 @@ std::map<std::vector<std::string>, std::vector<std::size_t>> size_groups(const S
   std::map<std::vector<std::string>, std::vector<std::size_t>> groups;
   for (std::size_t p = 0; p < plan.points.size(); ++p) {
     auto others = level_names(plan, plan.points[p]);
-    others[*plan.convergence].clear();
+    others[*plan.analysis.convergence].clear();
     groups[others].push_back(p);
   }
   return groups;
+}
+
+void read_limits(TableReader& root, StudyPlan& plan) {
+  for (auto& table : root.tables("limit")) {
+    table.allow_only({"above", "below", "quantity"});
+    if (!is_sampled(plan.design))
+      table.fail("",
+                 "needs a design whose points are samples: \"latin_hypercube\", \"sobol\" or "
+                 "\"sobol_indices\"");
+    StudyLimit limit;
+    limit.quantity = quantity_named(table, plan);
+    const auto above = table.at("above").optional_number(any_number);
+    const auto below = table.at("below").optional_number(any_number);
+    if (above.has_value() == below.has_value())
+      table.fail(above ? "below" : "above",
+                 above ? "is given with above: leave out one of the two" : "is missing, needed: it or below");
+    limit.above = above.has_value();
+    limit.value = above ? *above : *below;
+    plan.analysis.limits.push_back(limit);
+    table.finish();
+  }
 }
 
 void read_analysis(TableReader& root, StudyPlan& plan) {

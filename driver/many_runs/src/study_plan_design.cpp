@@ -26,9 +26,9 @@ void require_few(const TableReader& table, const StudyPlan& plan, std::size_t po
 
 void require_levels(TableReader& table, const StudyPlan& plan, bool listed) {
   for (const auto& factor : plan.factors)
-    if (factor.levels.empty() == listed || (!listed && factor.high <= factor.low))
-      table.fail("design", fmt::format("needs {} of each factor, {} has none", listed ? "values" : "a range",
-                                       factor.name));
+    if (factor.levels.empty() == listed || (!listed && !factor.is_sampled()))
+      table.fail("design", fmt::format("needs {} of each factor, {} has none",
+                                       listed ? "values" : "a range or a distribution", factor.name));
 }
 
 std::vector<StudyPoint> grid(TableReader& table, const StudyPlan& plan) {
@@ -62,14 +62,13 @@ std::vector<StudyPoint> list(TableReader& table, const StudyPlan& plan) {
   return points;
 }
 
-double in_range(const StudyFactor& factor, double unit) {
-  if (!factor.logarithmic) return factor.low + unit * (factor.high - factor.low);
-  return factor.low * elementary::pow(factor.high / factor.low, unit);
-}
-
 std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
   require_levels(table, plan, false);
   if (plan.factors.empty()) table.fail("design", "needs factors");
+  if (plan.correlation && plan.design == StudyDesign::sobol_indices)
+    table.fail(
+        "design",
+        "\"sobol_indices\" needs independent factors, but the plan has [[correlation]]: use \"sobol\"");
   const int factors = static_cast<int>(plan.factors.size());
   const bool with_indices = plan.design == StudyDesign::sobol_indices;
   const int count = table.at("points").integer(with_indices ? fewest_sobol_rows : 1, 1'000'000, 64);
@@ -84,8 +83,10 @@ std::vector<StudyPoint> sampled(TableReader& table, const StudyPlan& plan) {
     else
       points = sobol_index_points(count, factors);
   });
-  for (StudyPoint& point : points)
-    for (std::size_t f = 0; f < plan.factors.size(); ++f) point[f] = in_range(plan.factors[f], point[f]);
+  for (StudyPoint& point : points) {
+    if (plan.correlation) plan.correlation->apply(point);
+    for (std::size_t f = 0; f < plan.factors.size(); ++f) point[f] = plan.factors[f].sampled_value(point[f]);
+  }
   return points;
 }
 
@@ -93,7 +94,7 @@ std::vector<StudyPoint> of_file(TableReader& table, StudyPlan& plan) {
   const auto file = table.beside_case(table.at("file").text());
   std::vector<std::string> names;
   for (const auto& factor : plan.factors) {
-    if (!factor.levels.empty() || factor.high > factor.low)
+    if (!factor.levels.empty() || factor.is_sampled())
       table.fail("design",
                  fmt::format("\"file\" takes the values from there: {} needs its key alone", factor.name));
     names.push_back(factor.name);
@@ -112,6 +113,17 @@ std::vector<StudyPoint> of_file(TableReader& table, StudyPlan& plan) {
 }
 
 }  // namespace
+
+double StudyFactor::sampled_value(double unit) const {
+  if (distribution) return quantile(*distribution, unit);
+  if (!logarithmic) return low + unit * (high - low);
+  return low * elementary::pow(high / low, unit);
+}
+
+bool is_sampled(StudyDesign design) {
+  return design == StudyDesign::latin_hypercube || design == StudyDesign::sobol ||
+         design == StudyDesign::sobol_indices;
+}
 
 const StudyLevel* StudyFactor::level_of(double value) const {
   return levels.empty() ? nullptr : &levels[static_cast<std::size_t>(value)];
@@ -162,6 +174,8 @@ std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan) {
                                                         {"sobol_indices", StudyDesign::sobol_indices},
                                                         {"file", StudyDesign::file}},
                                                        "grid");
+  if (plan.correlation && !is_sampled(plan.design))
+    table.fail("design", "takes no [[correlation]], allowed with it: \"latin_hypercube\", \"sobol\"");
   switch (plan.design) {
     case StudyDesign::grid:
       return grid(table, plan);
@@ -174,24 +188,39 @@ std::vector<StudyPoint> points_of(TableReader& table, StudyPlan& plan) {
   }
 }
 
+std::optional<FactorScale> scale_of(const StudyPlan& plan, std::size_t f) {
+  const StudyFactor& factor = plan.factors[f];
+  FactorScale scale{factor.low, factor.high, factor.logarithmic};
+  if (!factor.has_range()) {
+    const auto number = [&](const StudyPoint& point) { return factor.number_of(point[f]); };
+    if (!std::ranges::all_of(plan.points, [&](const auto& point) { return number(point).has_value(); }))
+      return std::nullopt;
+    const auto [low, high] = std::ranges::minmax_element(plan.points, {}, number);
+    scale.low = *number(*low), scale.high = *number(*high);
+  }
+  if (scale.logarithmic) scale.low = elementary::log(scale.low), scale.high = elementary::log(scale.high);
+  return scale.high > scale.low ? std::optional(scale) : std::nullopt;
+}
+
+double FactorScale::scaled(double value) const {
+  return 2.0 * ((logarithmic ? elementary::log(value) : value) - low) / (high - low) - 1.0;
+}
+
+double FactorScale::value(double scaled) const {
+  const double linear = low + (scaled + 1.0) / 2.0 * (high - low);
+  return logarithmic ? elementary::exp(linear) : linear;
+}
+
 std::optional<std::vector<std::vector<double>>> scaled_points(const StudyPlan& plan) {
   std::vector<std::vector<double>> scaled(plan.points.size());
   for (std::size_t f = 0; f < plan.factors.size(); ++f) {
-    std::vector<double> numbers;
-    for (const auto& point : plan.points) {
-      const auto number = plan.factors[f].number_of(point[f]);
+    const auto scale = scale_of(plan, f);
+    if (!scale) return std::nullopt;
+    for (std::size_t p = 0; p < scaled.size(); ++p) {
+      const auto number = plan.factors[f].number_of(plan.points[p][f]);
       if (!number) return std::nullopt;
-      numbers.push_back(*number);
-      if (plan.factors[f].logarithmic) numbers.back() = elementary::log(numbers.back());
+      scaled[p].push_back(scale->scaled(*number));
     }
-    auto [low, high] = std::ranges::minmax(numbers);
-    if (!(high > low)) return std::nullopt;
-    if (const StudyFactor& factor = plan.factors[f]; factor.high > factor.low) {
-      low = factor.logarithmic ? elementary::log(factor.low) : factor.low;
-      high = factor.logarithmic ? elementary::log(factor.high) : factor.high;
-    }
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      scaled[i].push_back(2.0 * (numbers[i] - low) / (high - low) - 1.0);
   }
   return scaled;
 }

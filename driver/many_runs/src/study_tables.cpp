@@ -85,7 +85,8 @@ StudySummary summary_of(const StudyPlan& plan, const RunJournal::Runs& runs) {
   return summary;
 }
 
-std::string summary_text(const StudyPlan& plan, const ResultFolder& folder, const StudySummary& s) {
+std::string summary_text(const StudyPlan& plan, const ResultFolder& folder, const SpreadTable& spreads,
+                         const StudySummary& s) {
   nlohmann::ordered_json json{{"study", plan.name},
                               {"status", s.complete() ? "done" : "incomplete"},
                               {"run", folder.run()},
@@ -98,6 +99,7 @@ std::string summary_text(const StudyPlan& plan, const ResultFolder& folder, cons
                               {"refused", s.refused},
                               {"in_no_mean", s.inaccurate + s.failed + s.refused}};
   if (plan.stop) json["decided"] = s.decided, json["not_decided"] = s.undecided;
+  if (!spreads.empty()) json["spread"] = spread_json(plan, spreads);
   if (!s.notes.empty()) json["notes"] = s.notes;
   return json_text(std::move(json), folder.lines(), {"run", "date"});
 }
@@ -110,21 +112,29 @@ void draw(const std::string& name, const StudyPicture& picture, ResultFolder& re
 }
 
 void write_tables(const StudyPlan& plan, const RunJournal::Runs& runs, const std::string& comments,
-                  ResultFolder& results, StudyNotes& notes) {
+                  const SpreadTable& spreads, ResultFolder& results, StudyNotes& notes) {
   results.write("results.csv", comments + results_text(plan, runs));
   results.write("timing.csv", comments + timing_text(plan, runs));
   results.write("means.csv", comments + means_text(plan, runs, notes));
-  if (plan.pictures) draw("means", means_picture(plan, runs), results, notes);
+  if (plan.analysis.pictures)
+    draw("means", is_sampled(plan.design) ? trends_picture(plan, runs, spreads) : means_picture(plan, runs),
+         results, notes);
+  if (is_sampled(plan.design)) results.write("spread.csv", comments + spread_text(plan, spreads, notes));
+  if (is_sampled(plan.design) && plan.design != StudyDesign::sobol_indices)
+    results.write("effects.csv", comments + effects_text(plan, spreads, notes));
   if (plan.design == StudyDesign::sobol_indices) {
     const SobolTable table = sobol_table(plan, runs);
     results.write("sobol.csv", comments + sobol_text(plan, table, notes));
-    if (plan.pictures) draw("sobol", sobol_picture(plan, table), results, notes);
+    if (plan.analysis.pictures) draw("sobol", sobol_picture(plan, table), results, notes);
   }
-  if (plan.response_surface) results.write("surface.csv", comments + surface_text(plan, runs, notes));
-  if (plan.convergence) {
+  if (plan.analysis.response_surface) {
+    results.write("surface.csv", comments + surface_text(plan, runs, notes));
+    if (plan.analysis.pictures) draw("surface", surface_picture(plan, runs), results, notes);
+  }
+  if (plan.analysis.convergence) {
     const auto fits = size_fits(plan, runs);
     results.write("convergence.csv", comments + convergence_text(plan, fits, notes));
-    if (plan.pictures) draw("convergence", convergence_picture(plan, fits), results, notes);
+    if (plan.analysis.pictures) draw("convergence", convergence_picture(plan, fits), results, notes);
   }
 }
 
@@ -144,11 +154,10 @@ std::string level_cells(const StudyPlan& plan, std::size_t point) {
 
 std::vector<std::string> note_lines(const StudySummary& summary) {
   constexpr std::size_t most = 10;
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = summary.findings;
   if (summary.decided + summary.undecided > 0)
     lines.push_back(fmt::format("stop rule: {} decided, {} not decided", summary.decided, summary.undecided));
-  for (const auto& note : summary.notes)
-    if (lines.size() < most) lines.push_back(note);
+  for (std::size_t i = 0; i < std::min(most, summary.notes.size()); ++i) lines.push_back(summary.notes[i]);
   if (summary.notes.size() > most)
     lines.push_back(fmt::format("{} notes in all: study.json", summary.notes.size()));
   return lines;
@@ -174,8 +183,10 @@ StudySummary merge_study(const std::filesystem::path& folder) {
       "status",
       fmt::format("{}, {} of {} runs, {} in no mean", summary.complete() ? "done" : "incomplete",
                   summary.runs, summary.asked, summary.inaccurate + summary.failed + summary.refused));
-  write_tables(plan, runs, comment_lines(head), results, summary.notes);
-  results.write("study.json", summary_text(plan, results, summary));
+  const SpreadTable spreads = spread_table(plan, runs);
+  summary.findings = spread_lines(plan, spreads);
+  write_tables(plan, runs, comment_lines(head), spreads, results, summary.notes);
+  results.write("study.json", summary_text(plan, results, spreads, summary));
   results.end(summary.complete() ? "done" : "incomplete");
   return summary;
 }

@@ -13,17 +13,6 @@
 namespace driver {
 namespace {
 
-// The mean over the seeds of each point.
-std::vector<std::optional<double>> point_means(const StudyPlan& plan, const RunJournal::Runs& runs,
-                                               std::size_t q) {
-  std::vector<std::optional<double>> means;
-  for (std::size_t p = 0; p < plan.points.size(); ++p) {
-    const Statistics s = statistics_at(plan, runs, p, q);
-    means.push_back(s.count == 0 ? std::nullopt : std::optional(s.mean));
-  }
-  return means;
-}
-
 struct SizeRow {
   std::vector<double> sizes, values;
   std::vector<Statistics> means;
@@ -32,12 +21,12 @@ struct SizeRow {
 
 SizeRow size_row(const StudyPlan& plan, const RunJournal::Runs& runs, const std::vector<std::size_t>& points,
                  std::size_t q) {
-  const StudyFactor& size = plan.factors[*plan.convergence];
+  const StudyFactor& size = plan.factors[*plan.analysis.convergence];
   SizeRow row;
   for (const std::size_t p : points) {
     const Statistics s = statistics_at(plan, runs, p, q);
     if (s.count == 0) continue;
-    row.sizes.push_back(*size.number_of(plan.points[p][*plan.convergence]));
+    row.sizes.push_back(*size.number_of(plan.points[p][*plan.analysis.convergence]));
     row.values.push_back(s.mean);
     row.means.push_back(s);
     for (const auto& [number, run] : runs_at(plan, runs, p)) row.steps = std::max(row.steps, run.steps);
@@ -54,7 +43,35 @@ double rounding_of(const SizeRow& row) {
          most;
 }
 
+// Whether more than rounding moves the values; a single one may do.
+bool varies(const std::vector<double>& values) {
+  constexpr double rounding = 1e-12;
+  const auto is_first = [&](double value) {
+    return std::abs(value - values.front()) <= rounding * std::abs(values.front());
+  };
+  return values.size() < 2 || !std::ranges::all_of(values, is_first);
+}
+
+std::string why_no_surface(const StudyPlan& plan, const RunJournal::Runs& runs, std::size_t q) {
+  std::vector<double> values;
+  for (const auto& mean : point_means(plan, runs, q))
+    if (mean) values.push_back(*mean);
+  if (!varies(values)) return "no surface, it does not vary";
+  return fmt::format("no surface, the {} of {} points with a mean are too few", values.size(),
+                     plan.points.size());
+}
+
 }  // namespace
+
+std::vector<std::optional<double>> point_means(const StudyPlan& plan, const RunJournal::Runs& runs,
+                                               std::size_t quantity) {
+  std::vector<std::optional<double>> means;
+  for (std::size_t p = 0; p < plan.points.size(); ++p) {
+    const Statistics s = statistics_at(plan, runs, p, quantity);
+    means.push_back(s.count == 0 ? std::nullopt : std::optional(s.mean));
+  }
+  return means;
+}
 
 SobolTable sobol_table(const StudyPlan& plan, const RunJournal::Runs& runs) {
   SobolTable table;
@@ -80,27 +97,25 @@ std::string sobol_text(const StudyPlan& plan, const SobolTable& table, StudyNote
   return csv;
 }
 
+std::optional<ResponseSurface> surface_of(const StudyPlan& plan, const RunJournal::Runs& runs,
+                                          std::size_t quantity) {
+  const auto scaled = scaled_points(plan);
+  if (!scaled) return std::nullopt;
+  const auto means = point_means(plan, runs, quantity);
+  std::vector<std::vector<double>> points;
+  std::vector<double> values;
+  for (std::size_t p = 0; p < means.size(); ++p)
+    if (means[p]) points.push_back((*scaled)[p]), values.push_back(*means[p]);
+  if (!varies(values)) return std::nullopt;
+  return fit_surface(points, values);
+}
+
 std::string surface_text(const StudyPlan& plan, const RunJournal::Runs& runs, StudyNotes& notes) {
   std::string csv = "quantity,term,coefficient,standard_error,residual_deviation,explained\n";
-  const auto scaled = scaled_points(plan);
-  for (std::size_t q = 0; scaled && q < plan.quantities.size(); ++q) {
-    const auto means = point_means(plan, runs, q);
-    std::vector<std::vector<double>> points;
-    std::vector<double> values;
-    for (std::size_t p = 0; p < means.size(); ++p)
-      if (means[p]) points.push_back((*scaled)[p]), values.push_back(*means[p]);
-    constexpr double rounding = 1e-12;
-    const auto is_first = [&](double value) {
-      return std::abs(value - values.front()) <= rounding * std::abs(values.front());
-    };
-    if (values.size() > 1 && std::ranges::all_of(values, is_first)) {
-      notes.push_back(fmt::format("surface.csv, {}: no surface, it does not vary", plan.quantities[q]));
-      continue;
-    }
-    const auto surface = fit_surface(points, values);
+  for (std::size_t q = 0; q < plan.quantities.size(); ++q) {
+    const auto surface = surface_of(plan, runs, q);
     if (!surface) {
-      notes.push_back(fmt::format("surface.csv, {}: no surface, the {} of {} points with a mean are too few",
-                                  plan.quantities[q], points.size(), means.size()));
+      notes.push_back(fmt::format("surface.csv, {}: {}", plan.quantities[q], why_no_surface(plan, runs, q)));
       continue;
     }
     for (const auto& term : surface->terms) {

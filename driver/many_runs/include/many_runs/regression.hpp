@@ -16,6 +16,8 @@ struct ResponseSurface {
   std::vector<Term> terms;
   double residual_deviation = 0.0;  // sqrt(sum of squares / degrees of freedom)
   double explained = 0.0;           // share of the variance (R^2)
+
+  double at(const std::vector<double>& point) const;
 };
 
 /// Least squares (GSL). `points`: [point][factor] in [-1, 1]. Nothing if the points are fewer than the terms

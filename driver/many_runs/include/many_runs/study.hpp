@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "many_runs/crew.hpp"
+#include "many_runs/distribution.hpp"
 #include "many_runs/run_record.hpp"
 #include "many_runs/share.hpp"
 
@@ -25,14 +26,21 @@ struct StudyLevel {
   std::optional<double> amplitude = std::nullopt;  // instead of the study's
 };
 
-/// What a study varies: listed levels, or a range that a sampled design takes values from.
+/// What a study varies: listed levels, or a range or a distribution that a sampled design takes values from.
 struct StudyFactor {
   std::string name;                // column of the tables
   std::string key;                 // path in the case; empty if the levels say what they change
-  std::vector<StudyLevel> levels;  // none: a range, or the columns of a file
-  double low = 0.0, high = 0.0;
+  std::vector<StudyLevel> levels;  // none: a range, a distribution, or the columns of a file
+  double low = 0.0, high = 0.0;    // of a range
   bool logarithmic = false;
+  std::optional<Distribution> distribution;
   std::string path;  // of its table in the plan
+
+  bool has_range() const { return high > low; }
+  /// Whether a sampled design can take values from it.
+  bool is_sampled() const { return has_range() || distribution; }
+  /// The value below which a share in (0, 1) of the range, or of the distribution, lies.
+  double sampled_value(double unit) const;
 
   // Of a point's value of this factor, see StudyPoint; the first is nothing for a number that has no level.
   const StudyLevel* level_of(double value) const;
@@ -43,6 +51,8 @@ struct StudyFactor {
 
 /// How the points follow from the factors.
 enum class StudyDesign { grid, list, latin_hypercube, sobol, sobol_indices, file };
+/// True for those whose points are samples of the factors.
+bool is_sampled(StudyDesign design);
 
 /// One point: a value of each factor. It is the place of a level in the factor's list, or a number if the
 /// factor has no list. There may be millions.
@@ -62,6 +72,21 @@ struct StudyStop {
   int most_seeds = 0;
 };
 
+/// A value that a quantity should not pass.
+struct StudyLimit {
+  std::size_t quantity = 0;
+  double value = 0.0;
+  bool above = true;  // what counts: runs above it, or runs below it
+};
+
+/// What is computed of the means and values of all points.
+struct StudyAnalysis {
+  bool response_surface = false;
+  bool pictures = false;                   // of the tables
+  std::optional<std::size_t> convergence;  // factor whose numbers are sizes
+  std::vector<StudyLimit> limits;
+};
+
 class StudyInputs;
 
 /// A plan that has been read.
@@ -71,7 +96,8 @@ struct StudyPlan {
   std::vector<std::string> overrides;  // of every run
   std::vector<StudyFactor> factors;
   StudyDesign design = StudyDesign::grid;
-  std::filesystem::path points_file;  // CSV of the points; empty if they are of no file
+  std::optional<Correlation> correlation;  // of the factors
+  std::filesystem::path points_file;       // CSV of the points; empty if they are of no file
   std::vector<StudyPoint> points;
   int seeds = 0;  // for each point, at first; 0: one run without a perturbation
   double amplitude = 0.0;
@@ -79,12 +105,10 @@ struct StudyPlan {
   std::optional<StudyBase> base;
   std::vector<std::optional<std::size_t>> bases;  // of each point: the point that it is compared with
   std::optional<StudyStop> stop;
-  bool response_surface = false;
-  bool pictures = false;                   // of the tables
-  std::optional<std::size_t> convergence;  // factor whose numbers are sizes
-  std::string text;                        // of its file
-  std::string id;                          // of the plan, the case, their files and this build
-  std::shared_ptr<StudyInputs> inputs;     // the case, and the files that the plan and the case name
+  StudyAnalysis analysis;
+  std::string text;                     // of its file
+  std::string id;                       // of the plan, the case, their files and this build
+  std::shared_ptr<StudyInputs> inputs;  // the case, and the files that the plan and the case name
 
   int most_seeds() const { return stop ? stop->most_seeds : std::max(seeds, 1); }
   /// Of a point: the fewest that it or one of its levels asks for.
@@ -119,12 +143,13 @@ struct StudySummary {
   long runs = 0, asked = 0;                                // ended; asked for by the plan so far
   long done = 0, inaccurate = 0, failed = 0, refused = 0;  // of the ended
   double cpu_seconds = 0.0;
-  long decided = 0, undecided = 0;  // points of a stop rule; the latter after all seeds that it allows
-  std::vector<std::string> notes;   // what has no answer, and why
+  long decided = 0, undecided = 0;    // points of a stop rule; the latter after all seeds that it allows
+  std::vector<std::string> findings;  // percentiles and chances, of a sampled design
+  std::vector<std::string> notes;     // what has no answer, and why
   bool complete() const { return runs == asked; }
 };
 
-/// Lines for the reader of a summary: what a stop rule has decided, and the first of the notes.
+/// Lines for the reader of a summary: what a stop rule has decided, the findings, and the first of the notes.
 std::vector<std::string> note_lines(const StudySummary& summary);
 
 /// Writes results.csv, timing.csv, means.csv, study.json and what the plan's analysis asks for from all
