@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`gasjet identify`: tank test analysis."""
 import os
+import random
 import re
 from pathlib import Path
 
@@ -94,12 +95,51 @@ def test_identify_gases():
     refused("co2.toml:4:1: gas.species: is missing", f"{own} --species co2.toml --out none.csv")
     change("own.toml", ("0.044009", "-1"), to="bad.toml")
     refused("bad.toml:4:1: gas.species.0.molar_mass: is -1", f"{own} --species bad.toml --out none.csv")
-    # A tank that loses heat to its walls is none of the model: the miss is no noise, so there is no band.
+    # A tank that loses heat to its walls is not adiabatic: the miss is no noise, so there is no band.
     change("co2.toml", (INITIAL[0], INITIAL[1] + "heat_loss = { coefficient = 200.0, area = 0.6 }"), to="loss.toml")
     ok("run loss.toml --out loss --quiet")
-    expect(0, "warning: .* noise explains 0.* a tank that loses heat does not fit", f"identify loss/history.csv {RECORD} --gas CO2 --out loss.csv")
+    expect(0, "warning: .* noise explains 0.* and --heat-loss fit for a tank that loses heat", f"identify loss/history.csv {RECORD} --gas CO2 --out loss.csv")
     assert has("loss.csv", "^# mean_temperature_K: .*, no band$")
     assert {list(row.values())[-1] for row in table("loss.csv")} == {"0"}
+
+
+def found(file, name):
+    """Number and 95 % band of a line above the table."""
+    (line,) = [text for text in comments(file) if text.startswith(f"{name}: ")]
+    return [float(x) for x in re.findall(r"-?[0-9.]+(?:e[+-]?[0-9]+)?", line.replace("95 %", ""))][:3]
+
+
+def test_identify_heat_loss():
+    """A hot tank that loses its heat with a time constant of 250 ms: the loss is found, and with it the temperature."""
+    write("hot.toml", "[scene]", 'name = "hot"', "end_time = 0.25", "[gas]", 'thermodynamics = "nasa7"',
+          "initial = { composition = { air = 1.0 }, pressure = 101325.0, temperature = 293.15 }",
+          "heat_loss = { coefficient = 350.0, area = 0.9, outside_temperature = 293.15 }", "[tank]", "volume = 0.06", "[[inflator]]", "composition = { N2 = 1.0 }",
+          "temperature = 900.0", "mass_flow = { time = [0.005, 0.015, 0.045], value = [0.0, 1.7, 0.0] }", "[output]", "history_every = 5e-4")
+    ok("run hot.toml --out hot --quiet")
+    rows = numbers("hot/history.csv")
+    noise = random.Random(3)
+    write_table("hot.csv", {"time_s": rows["time_s"], "tank_pressure_Pa": [p * (1 + 0.003 * noise.gauss(0, 1)) for p in rows["pressure_Pa"]]})
+    base = "identify hot.csv --method average --volume 0.06 --mass 0.034 --gas N2 --points 201"
+    hot = f"{base} --out hot_curves.csv"
+    expect(0, "warning: .*--heat-loss fit for a tank that loses heat", hot)
+    assert found("hot_curves.csv", "mean_temperature_K")[0] < 850
+    expect(0, "heat_loss_W_K: .*, 95 %: .* from the fall of the pressure after 0.0[0-9]+ s", f"{hot} --heat-loss fit")
+    for name, truth in (("heat_loss_W_K", 315), ("mean_temperature_K", 900)):
+        value, low, high = found("hot_curves.csv", name)
+        assert low < truth < high and value == pytest.approx(truth, rel=0.01)
+    assert not [text for text in comments("hot_curves.csv") if text.startswith("warning")]
+    expect(0, "heat_loss_W_K: 315, as given", f"{hot} --heat-loss 315")
+    value, low, high = found("hot_curves.csv", "mean_temperature_K")
+    assert low < 900 < high
+    # The curves run, in the same tank, to the pressure.
+    curve = lambda column: f"{{ file = '{os.getcwd()}/hot_curves.csv', column = '{column}' }}"
+    ok("run hot.toml --out back --quiet --set", f"inflator.0.mass_flow={curve('mass_flow_kg_s')}", "--set", f"inflator.0.temperature={curve('temperature_K')}")
+    assert misses(("back/history.csv", "pressure_Pa"), ("hot/history.csv", "pressure_Pa")) < 0.01
+    text = read("hot.csv").splitlines()
+    write("short.csv", *[line for line in text if not re.match("0.(0[5-9]|[12])", line)])
+    refused("gasjet: --heat-loss = fit: after the rise .*; give its value .W/K. instead", f"{base.replace('hot.csv', 'short.csv')} --heat-loss fit --out none.csv")
+    refused(r"gasjet: --heat-loss \[W/K\] = -1: must be 0 or more", f"{base} --heat-loss=-1 --out none.csv")
+    refused("gasjet: --heat-loss much: is neither a number .W/K. nor fit", f"{base} --heat-loss much --out none.csv")
 
 
 def test_identify_units(data):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Studies whose factors are random: percentiles, chances, correlations and effects against closed forms and SciPy."""
-import numpy as np
 import pytest
 from command import expect, has, load, ok, read, refused, table
 from plans import TANK, factor, flow, tank_plan, plan
 
+np = pytest.importorskip("numpy", reason="python3-numpy is missing")
 stats = pytest.importorskip("scipy.stats", reason="python3-scipy is missing")
 NORMAL = ('distribution = "normal"', "mean = 0.1", "standard_deviation = 0.005")
 CUT = ('distribution = "truncated_normal"', "mean = 0.1", "standard_deviation = 0.005", "low = 0.098", "high = 0.107")

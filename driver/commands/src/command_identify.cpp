@@ -11,6 +11,7 @@
 #include "base/progress.hpp"
 #include "commands/command.hpp"
 #include "engine/species.hpp"
+#include "identify_options.hpp"
 #include "input_files.hpp"
 #include "results/results.hpp"
 #include "tank_readings.hpp"
@@ -99,7 +100,8 @@ std::string as_typed(const std::string& message) {
       {"initial_temperature", "--initial-temperature"},
       {"threshold", "--threshold"},
       {"points", "--points"},
-      {"draws", "--draws"}};
+      {"draws", "--draws"},
+      {"heat_loss", "--heat-loss"}};
   for (const auto& [name, option] : options)
     if (message.starts_with(std::string(name) + " "))
       return option + message.substr(std::string(name).size());
@@ -110,12 +112,15 @@ gas::Identified analyse(const IdentifyArguments& a, const gas::TankTest& test, c
   gas::TankReadings readings{table.values[0], table.values[1], {}};
   if (table.values.size() > 2) readings.chamber = table.values[2];
   const bool of_reading = a.noise == "reading";
+  const auto loss = heat_loss(a);
   try {
     return gas::identify(test, readings,
                          {.points = a.points,
                           .threshold = a.threshold,
                           .draws = a.draws,
-                          .noise = of_reading ? gas::Noise::of_reading : gas::Noise::of_full_scale});
+                          .noise = of_reading ? gas::Noise::of_reading : gas::Noise::of_full_scale,
+                          .heat_loss = loss.value_or(0.0),
+                          .fit_heat_loss = !loss});
   } catch (const gas::ReadingError& error) {
     const std::size_t column = error.series == "time" ? 0 : error.series == "tank pressure" ? 1 : 2;
     std::string what = error.what();
@@ -168,6 +173,12 @@ Provenance findings(const IdentifyArguments& a, const gas::Identified& found) {
   };
   lines.push_back({"initial_pressure_Pa",
                    fmt::format("{:.6g}, from the flat readings at the start", found.initial_pressure)});
+  if (!heat_loss(a))
+    lines.push_back(
+        {"heat_loss_W_K", fmt::format("{:.6g}, 95 %: {}, from the fall of the pressure after {:.4g} s",
+                                      found.heat_loss, text(found.heat_loss_band), found.tail_start)});
+  else if (found.heat_loss > 0.0)
+    lines.push_back({"heat_loss_W_K", fmt::format("{:.6g}, as given", found.heat_loss)});
   lines.push_back({"mean_temperature_K", with_band(found.mean_temperature, found.mean_temperature_band)});
   if (dual) lines.push_back({"outlet_CdA_m2", with_band(found.effective_area, found.effective_area_band)});
   double worst = 0.0;
@@ -223,7 +234,7 @@ std::vector<std::string> doubts(const gas::Identified& found) {
     doubts.push_back(
         fmt::format("a tank with these curves differs from the smoothed tank pressure by {:.2g} %, noise "
                     "explains {:.2g} %: check that pressures are absolute, use more --points for sharp "
-                    "pulses; a tank that loses heat does not fit",
+                    "pulses, and --heat-loss fit for a tank that loses heat",
                     100.0 * found.forward_error, 100.0 * found.forward_noise));
   constexpr double longest = 5.0;  // [s] of a record; inflators burn for a tenth of a second
   if (const double length = points.back().time - points.front().time; length > longest)

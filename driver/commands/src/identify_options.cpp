@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identify_options.hpp"
 
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "base/case_reader.hpp"
 #include "validators.hpp"
 
 namespace driver::commands {
@@ -38,9 +43,21 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
       ->check(positive);
   add("--noise", a.noise, "the gauges' noise is a fixed share of the reading, or of the full scale")
       ->check(CLI::IsMember({"reading", "full-scale"}));
+  add("--heat-loss", a.heat_loss,
+      "to the walls: coefficient times area [W/K], or fit to the fall of the pressure after the flow");
   add("--threshold", a.threshold, "rows with |K| below this fraction of the largest are masked");
   add("--points", a.points, "rows of the curves, equally spaced");
   add("--draws", a.draws, "random draws behind the 95 % bands");
+}
+
+std::optional<double> heat_loss(const IdentifyArguments& a) {
+  if (a.heat_loss == "fit") return std::nullopt;
+  double value = 0.0;
+  const char* end = a.heat_loss.data() + a.heat_loss.size();
+  const auto [stop, error] = std::from_chars(a.heat_loss.data(), end, value);
+  if (error != std::errc{} || stop != end)
+    throw CaseError(fmt::format("--heat-loss {}: is neither a number [W/K] nor fit", a.heat_loss));
+  return value;
 }
 
 }  // namespace driver::commands

@@ -9,10 +9,11 @@
 #include "tank_test/reading_error.hpp"
 #include "tank_test/smoothing_spline.hpp"
 
-/// Inverse analysis of a tank test. An inflator fires into a closed rigid adiabatic tank that holds gas of
-/// its own. The mass flow and the temperature of the inflow follow from the measured pressures:
+/// Inverse analysis of a tank test. An inflator fires into a closed rigid tank that holds gas of its own. The
+/// mass flow and the temperature of the inflow follow from the measured pressures:
 ///   V p' cv/R = mdot (h_i(T_s) - u_i(T) + cv T R_i/R), p V = sum(m_k R_k) T                          (G.33)
-/// with cv, R of the gas in the tank and i for the inflator's gas. For one gas of constant cp:
+/// with cv, R of the gas in the tank and i for the inflator's gas. A loss of heat to the walls, h A (T -
+/// T_w), adds to the left side (G.39). For one gas of constant cp without it:
 ///   mdot T_s = K = V p'/(gamma R)                                                                    (G.34)
 /// SmoothingSpline smooths the pressures. The curve's flow is zero outside the burn. The burn spans all
 /// points where K exceeds threshold and noise, extended on both sides to where K <= 0. The pressure before
@@ -47,6 +48,10 @@ struct IdentifyOptions {
   /// Draws from the posterior of the splines, for the bands; 40 to 2000.
   int draws = 400;
   Noise noise = Noise::of_reading;  // noise of both gauges
+  /// [W/K] >= 0: h A of the walls, which stay at the initial temperature.
+  double heat_loss = 0.0;
+  /// Fits h A to the fall of the tank's pressure after the flow instead.
+  bool fit_heat_loss = false;
 };
 
 /// 95 % band: the 2.5 and 97.5 percentiles over draws of the pressures. The draws are smoothed less than the
@@ -116,12 +121,15 @@ struct Identified {
   std::optional<Clipping> tank_clipping{};     // empty if the gauge is not cut off
   std::optional<Clipping> chamber_clipping{};  // as tank_clipping
   double initial_pressure = 0.0;               // [Pa] before firing
+  double heat_loss = 0.0;                      // [W/K] h A of the walls, as given or fitted
+  Band heat_loss_band{};                       // [W/K] of a fitted one
+  double tail_start = 0.0;                     // [s] of the readings that a fitted one rests on
   /// [-] Largest relative difference between the smoothed tank pressure and that of a control-volume run with
   /// these curves.
   double forward_error = 0.0;
   double forward_noise = 0.0;  // [-] error that noise explains: 5 standard deviations of a reading
   /// True if noise and spacing of the points explain forward_error. Otherwise the model does not describe the
-  /// tank (it may lose heat to its walls), and no bands are given.
+  /// tank (it may lose more heat to its walls), and no bands are given.
   bool fits = false;
   Smoothing tank;       // the tank's pressure
   Smoothing chamber{};  // the chamber's pressure; zeros without its readings
@@ -136,6 +144,8 @@ struct Identified {
 /// With chamber readings: dual pressure. The outlet is an orifice of effective area Cd A between chamber and
 /// tank, mdot = Cd A p_c psi(T_s, p_t/p_c), sonic or subsonic (G.6). With (G.33) this gives T_s and mdot at
 /// every point; Cd A follows from the mass M. Singular as K -> 0.                                   (G.36)
+///
+/// Bands include the error of a fitted heat loss. The total mass is in the tank where the tail starts.
 ///
 /// Throws ReadingError for a bad reading, and another std::invalid_argument naming what else is out of range.
 /// Throws DomainError

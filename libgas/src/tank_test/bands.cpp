@@ -32,6 +32,11 @@ std::span<const double> NormalNumbers::operator()(std::size_t count) {
   return numbers_;
 }
 
+Band band_of(double value, std::span<const double> draws) {
+  const double reach = 1.96 * gsl_stats_sd(draws.data(), 1, draws.size());
+  return {value - reach, value + reach};
+}
+
 void add_bands(std::span<const Sample> samples, Identified& result) {
   result.mean_temperature_band = band(samples, [](const Sample& s) { return s.flow.mean_temperature; });
   double shift = 1.0;

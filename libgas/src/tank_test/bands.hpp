@@ -22,6 +22,9 @@ class NormalNumbers {
   std::vector<double> numbers_;
 };
 
+/// 95 % band of a normal number, from the scatter of its draws.
+Band band_of(double value, std::span<const double> draws);
+
 /// Sets bands and amplifications of `result` from the samples.
 void add_bands(std::span<const Sample> samples, Identified& result);
 

@@ -55,6 +55,8 @@ void check(const TankTest& test, const IdentifyOptions& options) {
   };
   within(test.initial_temperature, test.thermo.minimum_temperature(), test.thermo.maximum_temperature(),
          "initial_temperature [K]");
+  require(std::isfinite(options.heat_loss) && options.heat_loss >= 0.0, "heat_loss [W/K]", options.heat_loss,
+          "must be 0 or more and finite");
   within(options.points, 20, 10000, "points");
   within(options.threshold, 0.001, 0.9, "threshold");
   within(options.draws, 40, 2000, "draws");

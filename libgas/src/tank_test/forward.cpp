@@ -8,13 +8,15 @@
 
 namespace gas {
 
-double forward_error(const TankTest& test, double initial_pressure, std::span<const IdentifiedPoint> points) {
+double forward_error(const TankTest& test, double initial_pressure, double conductance,
+                     std::span<const IdentifiedPoint> points) {
   std::vector<Curve::Knot> flow, temperature;
   for (const IdentifiedPoint& point : points) {
     flow.push_back({point.time, point.mass_flow});
     temperature.push_back({point.time, point.temperature});
   }
   ControlVolumeModel model{test.thermo, {0.0, test.initial_temperature}, {}, {}};
+  model.heat_loss = {std::max(0.0, conductance), test.initial_temperature};
   model.inflows.push_back(
       {test.inflator_fractions, Curve(flow, Outside::zero), Curve(temperature, Outside::held)});
   ControlVolumeState state =

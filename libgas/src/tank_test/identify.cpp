@@ -14,6 +14,7 @@
 #include "initial_pressure.hpp"
 #include "inversion.hpp"
 #include "tank_test/smoothing_spline.hpp"
+#include "wall_heat.hpp"
 
 namespace gas {
 namespace {
@@ -74,7 +75,8 @@ Pressures pressures(const Splines& splines, double initial) {
 
 /// Point at which the tank holds all of the mass: the end of the record, or the peak of the pressure if it
 /// then falls by more than the noise.
-std::size_t find_end(const Splines& splines, const Pressures& p) {
+std::size_t find_end(const Splines& splines, const Pressures& p, const std::optional<std::size_t>& tail) {
+  if (tail) return *tail;
   const auto deviation = [&](std::size_t i) {
     return splines.tank.spline.deviation(splines.tank.basis[i]).value;
   };
@@ -96,25 +98,27 @@ void set_burn(const std::vector<double>& k, Burn& burn) {
 
 /// Finds the burn. A point is masked if K is below `threshold` of its maximum or hidden by noise, if the
 /// chamber drives no flow, or if its gauge is cut off.
-Burn find_burn(const Splines& splines, const Pressures& p, double threshold, std::vector<char> clipped) {
-  const std::size_t n = p.rate.size();
+Burn find_burn(const Splines& splines, const Pressures& p, double threshold, std::vector<char> clipped,
+               const std::optional<std::size_t>& tail) {
+  const std::vector<double>& rate = p.adiabatic_rate;
+  const std::size_t n = rate.size();
   std::vector<double> signal;
   for (std::size_t i = 0; i < n; ++i)
-    signal.push_back(p.rate[i] / splines.tank.spline.deviation(splines.tank.basis[i]).slope);
-  const auto peak = std::ranges::max_element(p.rate);
+    signal.push_back(rate[i] / splines.tank.spline.deviation(splines.tank.basis[i]).slope);
+  const auto peak = std::ranges::max_element(rate);
   const double best = *std::ranges::max_element(signal);
   if (!(*peak > 0.0 && best > kLeastRise))
     throw DomainError("tank test: the tank pressure does not rise above its noise");
   Burn burn;
   burn.clipped = std::move(clipped);
-  burn.end = find_end(splines, p);
+  burn.end = find_end(splines, p, tail);
   for (std::size_t i = 0; i < n; ++i) {
-    const bool masked = !(p.rate[i] >= threshold * *peak && signal[i] >= kResolved && i <= burn.end) ||
+    const bool masked = !(rate[i] >= threshold * *peak && signal[i] >= kResolved && i <= burn.end) ||
                         (!p.chamber.empty() && (p.chamber[i] <= p.tank[i] || burn.clipped[i]));
     burn.masked.push_back(masked);
     burn.firm.push_back(!masked && signal[i] >= std::min(kFirm, 0.9 * best));
   }
-  set_burn(p.rate, burn);
+  set_burn(rate, burn);
   return burn;
 }
 
@@ -128,6 +132,14 @@ FlowCurves invert(const TankTest& test, std::span<const double> times, const Pre
   flow = inversion.dual_pressure(burn, flow);
   flow.mean_temperature = mean;
   return flow;
+}
+
+/// Point from which on the tank holds all of the mass, if the pressure's peak does not show it.
+std::optional<std::size_t> full_from(const WallHeat& walls, const IdentifyOptions& options,
+                                     std::span<const double> times) {
+  if (walls.conductance == 0.0 && !options.fit_heat_loss) return std::nullopt;
+  if (!options.fit_heat_loss) return times.size() - 1;
+  return static_cast<std::size_t>(std::ranges::lower_bound(times, walls.start) - times.begin());
 }
 
 std::vector<double> equally_spaced(double first, double last, int points) {
@@ -158,36 +170,21 @@ std::vector<double> drawn_coefficients(const SmoothingSpline& spline, double und
   return drawn;
 }
 
-/// R.m.s. distance, in ln T, of the firm temperatures from the first and from the last of them. It is the
-/// uncertainty of the constant temperatures outside.
-struct HeldSpread {
-  double before = 0.0, after = 0.0;
-};
-HeldSpread held_spread(const Burn& burn, std::span<const double> temperature) {
-  std::vector<double> firm;
-  for (std::size_t i = 0; i < temperature.size(); ++i)
-    if (burn.firm[i]) firm.push_back(elementary::log(temperature[i]));
-  const auto from = [&](double end) {
-    double sum = 0.0;
-    for (const double t : firm) sum += (t - end) * (t - end);
-    return std::min(0.5, std::sqrt(sum / static_cast<double>(firm.size())));
-  };
-  if (firm.empty()) return {};
-  return {from(firm.front()), from(firm.back())};
-}
-
 Sample draw(const Splines& splines, const TankTest& test, std::span<const double> times, const Burn& burn,
-            const FlowCurves& best, const HeldSpread& spread, double initial, NormalNumbers& normals) {
+            const FlowCurves& best, const HeldSpread& spread, double initial, double conductance,
+            NormalNumbers& normals) {
   const std::vector<double> tank = drawn_coefficients(splines.tank.spline, kUndersmoothing, normals);
   const std::vector<double> chamber =
       splines.chamber ? drawn_coefficients(splines.chamber->spline, kUndersmoothing, normals)
                       : std::vector<double>();
   Burn moved = burn;
   const std::span<const double> numbers = normals(2);
-  const Pressures p = pressures(splines, initial, tank, chamber);
+  Pressures p = pressures(splines, initial, tank, chamber);
+  p.conductance = conductance;
+  set_adiabatic_rate(test, Inversion(test, times, p).masses(best.mass_flow), p);
   moved.before = elementary::exp(spread.before * numbers[0]);
   moved.after = elementary::exp(spread.after * numbers[1]);
-  set_burn(p.rate, moved);
+  set_burn(p.adiabatic_rate, moved);
   return {invert(test, times, p, moved, &best),
           Inversion(test, times, p).enthalpy_flow(best.mean_temperature)};
 }
@@ -235,9 +232,24 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
   if (dual) result.chamber_clipping = find_clipping(readings.times, readings.chamber);
   const InitialPressure initial = initial_pressure(readings, splines.tank.spline, options.noise);
   result.initial_pressure = initial.value();
-  const Pressures p = pressures(splines, initial.value());
-  const Burn burn = find_burn(splines, p, options.threshold, within(result.chamber_clipping, times));
-  const FlowCurves flow = invert(test, times, p, burn, nullptr);
+  WallHeat walls{options.heat_loss, 0.0, 0.0, 0.0};
+  if (options.fit_heat_loss)
+    walls = fit_wall_heat(test, readings, options.noise, splines.tank.spline.noise(), initial.value());
+  const auto tail = full_from(walls, options, times);
+  Pressures p = pressures(splines, initial.value());
+  p.conductance = walls.conductance;
+  set_adiabatic_rate(test, masses_of_rise(test, p), p);
+  Burn burn = find_burn(splines, p, options.threshold, within(result.chamber_clipping, times), tail);
+  FlowCurves flow = invert(test, times, p, burn, nullptr);
+  // The loss depends on the masses, weakly: each pass reduces their error by a tenth or more.
+  constexpr int passes = 3;
+  for (int i = 0; p.conductance != 0.0 && i < passes; ++i) {
+    set_adiabatic_rate(test, Inversion(test, times, p).masses(flow.mass_flow), p);
+    burn = find_burn(splines, p, options.threshold, within(result.chamber_clipping, times), tail);
+    flow = invert(test, times, p, burn, nullptr);
+  }
+  result.heat_loss = walls.conductance;
+  result.tail_start = walls.start;
   const std::vector<double> k = Inversion(test, times, p).enthalpy_flow(flow.mean_temperature);
   result.threshold = options.threshold * *std::ranges::max_element(k);
   result.mean_temperature = flow.mean_temperature;
@@ -254,22 +266,26 @@ Identified identify(const TankTest& test, const TankReadings& readings, const Id
                              0.0,
                              burn.masked[i] != 0});
 
-  result.forward_error = forward_error(test, initial.value(), result.points);
+  result.forward_error = forward_error(test, initial.value(), walls.conductance, result.points);
   const auto [low, high] = std::ranges::minmax(p.tank);
   const double share = options.noise == Noise::of_reading ? 1.0 : high / low;
   result.forward_noise = kMissNoise * result.tank.noise * share;
   result.fits = result.forward_error <= kMiss + result.forward_noise;
 
   const HeldSpread spread = held_spread(burn, flow.temperature);
-  NormalNumbers normals(1), of_initial(2);
+  NormalNumbers normals(1), of_initial(2), of_walls(3);
   std::vector<Sample> samples;
+  std::vector<double> conductances;
   for (int i = 0; i < options.draws; ++i) try {
       const std::span<const double> two = of_initial(2);
-      samples.push_back(
-          draw(splines, test, times, burn, flow, spread, initial.draw(two[0], two[1]), normals));
+      const double before = initial.draw(two[0], two[1]);
+      conductances.push_back(walls.conductance + walls.slope * (before - initial.value()) +
+                             walls.deviation * of_walls(1)[0]);
+      samples.push_back(draw(splines, test, times, burn, flow, spread, before, conductances.back(), normals));
     } catch (const DomainError&) {
       ++result.misfits;
     }
+  result.heat_loss_band = band_of(walls.conductance, conductances);
   const bool samples_hold = result.misfits <= kMostMisfits * options.draws;
   if (samples_hold) add_bands(samples, result);
   result.bands = result.fits && samples_hold && !result.tank_clipping && !result.chamber_clipping;

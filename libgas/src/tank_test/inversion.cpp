@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <elementary/exponential.hpp>
 
 #include "require.hpp"
 
@@ -17,12 +18,45 @@ constexpr double kChoked = 2.1;  // p_c/p above which every gas (gamma up to 5/3
 
 }  // namespace
 
+std::vector<double> masses_of_rise(const TankTest& test, const Pressures& pressures) {
+  std::vector<double> mass(pressures.tank.size(), test.total_mass);
+  const auto peak = std::ranges::max_element(pressures.tank);
+  for (auto p = pressures.tank.begin(); p < peak; ++p)
+    mass[static_cast<std::size_t>(p - pressures.tank.begin())] =
+        test.total_mass * std::clamp((*p - pressures.initial) / (*peak - pressures.initial), 0.0, 1.0);
+  return mass;
+}
+
+void set_adiabatic_rate(const TankTest& test, std::span<const double> masses, Pressures& pressures) {
+  const TankGas gas(test, pressures.initial, pressures.conductance);
+  pressures.adiabatic_rate = pressures.rate;
+  for (std::size_t i = 0; i < masses.size(); ++i)
+    pressures.adiabatic_rate[i] = gas.adiabatic_rate(pressures.tank[i], pressures.rate[i], masses[i]);
+}
+
+HeldSpread held_spread(const Burn& burn, std::span<const double> temperature) {
+  std::vector<double> firm;
+  for (std::size_t i = 0; i < temperature.size(); ++i)
+    if (burn.firm[i]) firm.push_back(elementary::log(temperature[i]));
+  const auto from = [&](double end) {
+    double sum = 0.0;
+    for (const double t : firm) sum += (t - end) * (t - end);
+    return std::min(0.5, std::sqrt(sum / static_cast<double>(firm.size())));
+  };
+  if (firm.empty()) return {};
+  return {from(firm.front()), from(firm.back())};
+}
+
 Inversion::Inversion(const TankTest& test, std::span<const double> times, const Pressures& pressures)
-    : test_(test), times_(times), pressures_(pressures), gas_(test, pressures.initial) {}
+    : test_(test),
+      times_(times),
+      pressures_(pressures),
+      gas_(test, pressures.initial, pressures.conductance) {}
 
 std::vector<double> Inversion::enthalpy_flow(double temperature) const {
   std::vector<double> k;
-  for (const double dp : pressures_.rate) k.push_back(test_.volume * dp / gas_.gamma_r(temperature));
+  for (const double dp : pressures_.adiabatic_rate)
+    k.push_back(test_.volume * dp / gas_.gamma_r(temperature));
   return k;
 }
 
@@ -32,6 +66,16 @@ std::vector<double> Inversion::masses(const std::vector<double>& mass_flow) cons
   for (std::size_t i = 1; i < mass.size(); ++i)
     mass[i] = mass[i - 1] + 0.5 * (mass_flow[i] + mass_flow[i - 1]) * (times_[i] - times_[i - 1]);
   return mass;
+}
+
+/// Heat lost up to each point, by trapezoids.
+std::vector<double> Inversion::heat_lost(const std::vector<double>& mass) const {
+  std::vector<double> lost(mass.size(), 0.0);
+  for (std::size_t i = 1; i < lost.size(); ++i)
+    lost[i] = lost[i - 1] +
+              0.5 * (times_[i] - times_[i - 1]) *
+                  (gas_.heat(pressures_.tank[i - 1], mass[i - 1]) + gas_.heat(pressures_.tank[i], mass[i]));
+  return lost;
 }
 
 TankGas::Rate Inversion::rate(std::size_t i, double mass) const {
@@ -50,15 +94,25 @@ void Inversion::scale_to_mass(const Burn& burn, std::vector<double>& mass_flow) 
 
 FlowCurves Inversion::average_temperature(const Burn& burn) const {
   rate(burn.end, test_.total_mass);  // throws if it is out of range
-  const double enthalpy = gas_.mean_enthalpy(pressures_.tank[burn.end], test_.total_mass);
+  // Without heat loss one pass suffices. The loss follows from the masses and changes them little.
+  std::vector<double> mass = masses_of_rise(test_, pressures_);
+  double enthalpy = 0.0;
+  for (int pass = 0; pass < kMostIterations; ++pass) {
+    const std::vector<double> lost = heat_lost(mass);
+    const double before = enthalpy;
+    enthalpy = gas_.mean_enthalpy(pressures_.tank[burn.end], test_.total_mass, lost[burn.end]);
+    for (std::size_t i = 0; i < mass.size(); ++i)
+      mass[i] = i < burn.first  ? 0.0
+                : i > burn.last ? test_.total_mass
+                                : gas_.delivered(pressures_.tank[i], enthalpy, lost[i], test_.total_mass,
+                                                 i == 0 ? 0.0 : mass[i - 1]);
+    if (pressures_.conductance == 0.0 || std::abs(enthalpy - before) <= kSettled * std::abs(enthalpy)) break;
+  }
   const double temperature = gas_.inflow_temperature(enthalpy);
   FlowCurves flow{std::vector<double>(times_.size(), 0.0), std::vector<double>(times_.size(), temperature),
                   temperature};
-  double mass = 0.0;
-  for (std::size_t i = burn.first; i <= burn.last; ++i) {
-    mass = gas_.delivered(pressures_.tank[i], enthalpy, test_.total_mass, mass);
-    flow.mass_flow[i] = gas_.mass_flow(rate(i, mass), temperature);
-  }
+  for (std::size_t i = burn.first; i <= burn.last; ++i)
+    flow.mass_flow[i] = gas_.mass_flow(rate(i, mass[i]), temperature);
   scale_to_mass(burn, flow.mass_flow);
   return flow;
 }

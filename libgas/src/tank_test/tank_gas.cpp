@@ -43,8 +43,10 @@ double rising_root(double low, double high, double guess, const Function& functi
 
 }  // namespace
 
-TankGas::TankGas(const TankTest& test, double initial_pressure)
+TankGas::TankGas(const TankTest& test, double initial_pressure, double conductance)
     : volume_(test.volume),
+      initial_temperature_(test.initial_temperature),
+      conductance_(conductance),
       own_(amount(test.thermo, test.tank_fractions,
                   initial_pressure * test.volume /
                       (test.thermo.gas_constant(test.tank_fractions) * test.initial_temperature))),
@@ -62,7 +64,7 @@ TankGas::Rate TankGas::rate(double time, double p, double dp, double m) const {
                       to_text(range_.low) + " to " + to_text(range_.high) +
                       " K: pressures, volume and mass do not fit");
   const double cv = own_.cv(t) + m * inflator_.cv(t);
-  return {cv * volume_ * dp / gas_constant,
+  return {cv * volume_ * dp / gas_constant + heat(p, m),
           cv * t * inflator_.gas_constant_sum / gas_constant - inflator_.internal_energy(t)};
 }
 
@@ -71,18 +73,24 @@ double TankGas::energy(double p, double m) const {
   return own_.internal_energy(t) + m * inflator_.internal_energy(t);
 }
 
-double TankGas::mean_enthalpy(double p, double m) const {
-  return (energy(p, m) - initial_energy_) / m;
+double TankGas::adiabatic_rate(double p, double dp, double m) const {
+  const double t = std::clamp(temperature(p, m), range_.low, range_.high);
+  const double sum = own_.gas_constant_sum + m * inflator_.gas_constant_sum;
+  return dp + heat(p, m) * sum / (volume_ * (own_.cv(t) + m * inflator_.cv(t)));
 }
 
-double TankGas::delivered(double p, double enthalpy, double most, double guess) const {
+double TankGas::mean_enthalpy(double p, double m, double lost) const {
+  return (energy(p, m) - initial_energy_ + lost) / m;
+}
+
+double TankGas::delivered(double p, double enthalpy, double lost, double most, double guess) const {
   const auto mass_at = [&](double t) {
     return std::clamp((p * volume_ / t - own_.gas_constant_sum) / inflator_.gas_constant_sum, 0.0, most);
   };
   return rising_root(mass_at(range_.high), mass_at(range_.low), guess, [&](double m) {
     const double t = temperature(p, m), sum = own_.gas_constant_sum + m * inflator_.gas_constant_sum;
     const double cv = own_.cv(t) + m * inflator_.cv(t);
-    return std::pair(enthalpy * m + initial_energy_ - energy(p, m),
+    return std::pair(enthalpy * m + initial_energy_ - energy(p, m) - lost,
                      enthalpy - inflator_.internal_energy(t) + cv * t * inflator_.gas_constant_sum / sum);
   });
 }

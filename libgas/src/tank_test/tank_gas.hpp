@@ -7,21 +7,28 @@ namespace gas {
 /// The tank's own gas with a mass m [kg] of the inflator's gas; the terms of (G.33).
 class TankGas {
  public:
-  /// Tank filled with its own gas at `initial_pressure` [Pa].
-  TankGas(const TankTest& test, double initial_pressure);
+  /// Tank filled with its own gas at `initial_pressure` [Pa], whose walls stay at the initial temperature and
+  /// take `conductance` [W/K] times the gas's excess.
+  TankGas(const TankTest& test, double initial_pressure, double conductance = 0.0);
 
   /// The gas at pressure p [Pa] that rises at dp [Pa/s], with m [kg] of the inflator's gas in it.
   struct Rate {
-    double power;   // [W] V p' cv/R: left side of (G.33)
+    double power;   // [W] V p' cv/R and the heat lost: left side of (G.33)
     double offset;  // [J/kg] cv T R_i/R - u_i(T)
   };
   /// Throws DomainError, naming `time`, if the gas temperature leaves its range.
   Rate rate(double time, double p, double dp, double m) const;
 
-  /// Specific enthalpy [J/kg] of the mass m [kg] that raised the tank from its start to p [Pa].
-  double mean_enthalpy(double p, double m) const;
-  /// Mass [kg] of that enthalpy [J/kg], at most `most`, that raised the tank to p. `guess` is near it.
-  double delivered(double p, double enthalpy, double most, double guess) const;
+  /// Heat [W] lost to the walls at p [Pa] with m [kg] of the inflator's gas.
+  double heat(double p, double m) const { return conductance_ * (temperature(p, m) - initial_temperature_); }
+  /// Rate [Pa/s] at which p would rise without the loss.
+  double adiabatic_rate(double p, double dp, double m) const;
+  /// Specific enthalpy [J/kg] of the mass m [kg] that raised the tank from its start to p [Pa] while the heat
+  /// `lost` [J] left it.
+  double mean_enthalpy(double p, double m, double lost) const;
+  /// Mass [kg] of that enthalpy [J/kg], at most `most`, that raised the tank to p while the heat `lost` [J]
+  /// left it. `guess` is near it.
+  double delivered(double p, double enthalpy, double lost, double most, double guess) const;
   /// Temperature [K] of the inflator's gas with that enthalpy [J/kg]. Throws DomainError outside its range.
   double inflow_temperature(double enthalpy) const;
 
@@ -49,7 +56,7 @@ class TankGas {
   }
   double energy(double p, double m) const;
 
-  double volume_;
+  double volume_, initial_temperature_, conductance_;
   Mixture own_;       // all of it
   Mixture inflator_;  // 1 kg
   Range range_;

@@ -194,6 +194,7 @@ struct IdentifyArguments {
   std::optional<std::string> chamber_unit;  // empty: Pa
   std::optional<double> ambient_pressure;   // [Pa] that gauge pressures count from; empty: the standard one
   std::string noise = "reading";  // the gauges' noise is a share of the "reading" or of "full-scale"
+  std::string heat_loss = "0";    // [W/K] of the walls, or "fit"
   double threshold = 0.05;        // share of the largest K
   int points = 501;               // rows of the curve
   int draws = 400;                // draws for the bands
