@@ -12,13 +12,14 @@ program bad_calls
   real(c_double) :: here(3) = 0.1d0
   integer(c_int32_t) :: t(3, 4), u(4, 3), wrong(3, 4)
   integer(c_int8_t) :: lit(4)
-  integer(c_int64_t) :: gas, tank, skin, jet, bag, layers, run, table, handles(6), strides(2)
+  integer(c_int64_t) :: gas, tank, skin, jet, bag, layers, body, run, table, handles(6), strides(2)
   type(gasjet_source) :: source
   type(gasjet_jet_model) :: model
   type(gasjet_fabric_model) :: fabric
   type(gasjet_gas_values) :: values
   type(gasjet_membrane_sums) :: sums
   type(gasjet_skin_contact_sums) :: touch
+  type(gasjet_contact_sums) :: push
   type(gasjet_outlet_state) :: state
   character(512) :: case_file
   integer :: calls = 0, i, k
@@ -55,6 +56,19 @@ program bad_calls
   call good(gasjet_skin_contact_evaluate(layers, x, four, force=vectors, force_count=12_c_int64_t, sums=touch))
   if (touch%contacts /= 0 .or. any(touch%second_nodes /= -1)) error stop 'neighbours touch'
   call good(gasjet_skin_contact_restart(layers))
+  ! A disc whose axis is y: its rim of 0.1 m about a face of 0.3 m is 0.01 m below the corner of the skin at the origin.
+  call good(gasjet_contact_create_body(y, four, [1_c_int64_t, four], t, four, mass=p, effective_mass=1d0, &
+                                       impactor=gasjet_impactor(GASJET_DISC, [0.3d0, 0.1d0, 0d0]), &
+                                       stiffness=1d5, friction=0d0, contact=body))
+  vectors = 0d0
+  call good(gasjet_contact_evaluate_body(body, x, four, centre=[0d0, 0d0, -0.39d0], axes=[0d0, 0d0, 1d0, 1d0, &
+                                         0d0, 0d0, 0d0, 1d0, 0d0], force=vectors, force_count=12_c_int64_t, &
+                                         sums=push))
+  if (.not. (push%penetration > 0d0 .and. push%penetration <= 0.01d0)) error stop 'the disc is not turned'
+  if (abs(sum(vectors) + sum(push%force)) > 1d-12 * abs(push%force(3))) error stop 'no reaction'
+  call refused(gasjet_contact_create_body(y, four, [1_c_int64_t, four], t, four, mass=p, effective_mass=1d0, &
+                                          impactor=gasjet_impactor(4_c_int64_t, [0.3d0, 0.1d0, 0d0]), &
+                                          stiffness=1d5, friction=0d0, contact=run), 'impactor.shape')
   call good(gasjet_default_skin_stiffness(0.5d0, 4d8, 0.2d0, value))
   if (value /= 1d7) error stop 'the default stiffness is not share omega^2 rho h / 4'
   call good(gasjet_gas_create('N2=1'//c_null_char, 0d0, handles(1)))

@@ -139,6 +139,15 @@ class BadCalls(unittest.TestCase):
                   effective_mass=NUMBERS, radius=NUMBERS, stiffness=NUMBERS, friction=NUMBERS)
         pad = gasjet.Contact(**skin)
         self.each(pad.evaluate, dict(nodes=NODES, centre=(0.0, 0.0, -5.0), turn=(0.0, 0.0, 0.0)), nodes=POINTS, centre=VECTORS, turn=VECTORS)
+        plain = {name: value for name, value in skin.items() if name != "radius"}
+        disc, bar = dict(plain, radius=0.1, rim_radius=0.1), dict(plain, radius=0.1, half_length=0.1)
+        self.each(gasjet.Contact, disc, radius=NUMBERS[1:] + [-0.1], rim_radius=NUMBERS[1:] + [0.0])
+        self.each(gasjet.Contact, bar, radius=NUMBERS[1:] + [0.0], half_length=NUMBERS[1:] + [-0.1])
+        self.each(gasjet.Contact, dict(plain, half_axes=(0.1, 0.1, 0.1)), half_axes=VECTORS[1:] + [(0.1, 0.0, 0.1)])
+        spoilt = np.eye(3)
+        spoilt[2, 1] = NAN
+        self.each(gasjet.Contact(**disc).evaluate, dict(nodes=NODES, centre=(0.0, 0.0, -5.0), axes=np.eye(3)),
+                  axes=[None, "abc", 1.0, NODES, np.eye(2), np.eye(3) > 0.0, spoilt, 2.0 * np.eye(3), -np.eye(3)])
         layers = dict(reference=NODES, triangles=TRIANGLES, masses=np.ones(4), thickness=0.1, stiffness=1e5, friction=0.1)
         self.each(gasjet.SkinContact, layers, reference=[value for value in POINTS[3:] if getattr(value, "size", 1) > 0], triangles=TRIANGLE_LISTS,
                   masses=masses, thickness=NUMBERS + [0.0, -0.1, 0.8], stiffness=NUMBERS + [0.0, -1.0], friction=NUMBERS + [-0.1])

@@ -91,6 +91,49 @@ class Contacts(unittest.TestCase):
         with self.assertRaisesRegex(gasjet.InputError, "stiffness"):
             gasjet.Contact(self.nodes, self.triangles, masses=self.masses, effective_mass=3.0, radius=0.1, stiffness=-1.0)
 
+    def body(self, **dimensions):
+        return gasjet.Contact(self.nodes, self.triangles, masses=self.masses, effective_mass=3.0, stiffness=1e6, **dimensions)
+
+    def test_other_shapes(self):
+        # A disc of 80 mm with a rim of 40 mm, 10 mm in the skin: pi kappa (R^2 d + 2 R h s + h d^2), s = r arsinh(w/h) - w (K.52).
+        wide, rim, depth = 0.08, 0.04, 0.01
+        height = rim - depth
+        width = np.sqrt(rim**2 - height**2)
+        strip = rim * np.arcsinh(width / height) - width
+        flat = self.body(radius=wide, rim_radius=rim).evaluate(self.nodes, (0.003, 0.004, height))
+        exact = np.pi * 1e6 * (wide**2 * depth + 2.0 * wide * height * strip + height * depth**2)
+        self.assertAlmostEqual(flat["force_N"][2] / exact, 1.0, delta=0.01)
+        # On edge, axes turned: 10 mm deep again, by a single point of its rim.
+        edge = ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0))
+        upright = self.body(radius=wide, rim_radius=rim).evaluate(self.nodes, (0.003, 0.004, wide + height), axes=edge)
+        self.assertTrue(0.008 < upright["penetration_m"] <= 0.01)
+        self.assertLess(upright["area_m2"], 0.5 * flat["area_m2"])
+        # A cylinder that tilts about y has a couple about y; a ball of equal half axes has none.
+        tilt = ((0.8, 0.0, 0.6), (0.0, 1.0, 0.0), (-0.6, 0.0, 0.8))
+        tilted = self.body(radius=0.05, half_length=0.06).evaluate(self.nodes, (0.0, 0.0, 0.048 + 0.04), axes=tilt)
+        self.assertAlmostEqual(tilted["couple_Nm"][1] / tilted["force_N"][2], 0.036, delta=0.004)
+        ball = self.body(half_axes=(0.1, 0.1, 0.1)).evaluate(self.nodes, (0.003, 0.004, 0.08), axes=tilt)
+        sphere = self.pad.evaluate(self.nodes, (0.003, 0.004, 0.08))
+        np.testing.assert_allclose(ball["node_force_N"], sphere["node_force_N"], rtol=1e-9, atol=1e-9)
+        self.assertLess(abs(ball["couple_Nm"]).max(), 1e-9)
+        self.assertIn("radius 0.05 m, half length 0.06 m", repr(self.body(radius=0.05, half_length=0.06)))
+
+    def test_refused_shapes_name_the_dimension(self):
+        for dimensions in ({}, dict(half_length=0.1), dict(radius=0.1, half_axes=(0.1, 0.1, 0.1)), dict(radius=(0.1, 0.1))):
+            with self.assertRaisesRegex(TypeError, "^radius"):
+                self.body(**dimensions)
+        with self.assertRaisesRegex(TypeError, "^half_axes"):
+            self.body(half_axes=(0.1, 0.1))
+        for name, dimensions in (("radius", dict(radius=0.0)), ("half_axes", dict(half_axes=(0.1, 0.0, 0.1))),
+                                 ("half_length", dict(radius=0.1, half_length=-1.0)), ("rim_radius", dict(radius=0.1, rim_radius=np.nan))):
+            with self.assertRaisesRegex(gasjet.InputError, f"impactor.{name}"):
+                self.body(**dimensions)
+        disc = self.body(radius=0.1, rim_radius=0.1)
+        with self.assertRaisesRegex(TypeError, "axes"):
+            disc.evaluate(self.nodes, (0.0, 0.0, 0.3), axes=(1.0, 0.0, 0.0))
+        with self.assertRaisesRegex(gasjet.InputError, "axes"):
+            disc.evaluate(self.nodes, (0.0, 0.0, 0.3), axes=2.0 * np.eye(3))
+
 
 class SkinContacts(unittest.TestCase):
     """Two plates, the upper one with other squares."""

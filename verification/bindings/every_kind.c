@@ -69,7 +69,9 @@ static void jet_and_surface(void) {
 }
 
 static void membrane_and_contact(void) {
-  gasjet_handle membrane, contact, none;
+  gasjet_handle membrane, contact, body, none;
+  const gasjet_impactor disc = {GASJET_DISC, {0.2, 0.1, 0.0}};
+  const double axes[] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
   gasjet_fabric_model fabric = {4e-4, 800.0, 3e8, 0.3, 1, GASJET_HENCKY};
   gasjet_membrane_sums sums;
   gasjet_contact_sums touch;
@@ -86,6 +88,12 @@ static void membrane_and_contact(void) {
         GASJET_OK);
   check(gasjet_contact_evaluate(contact, nodes, NODES, NULL, centre, NULL, force, 3 * NODES, &touch),
         GASJET_OK);
+  check(gasjet_contact_create_body(nodes, NODES, NULL, triangles, TRIANGLES, NULL, mass, 1.0, &disc, 1e5, 0.1,
+                                   &body),
+        GASJET_OK);
+  check(gasjet_contact_evaluate_body(body, nodes, NODES, NULL, centre, axes, NULL, force, 3 * NODES, &touch),
+        GASJET_OK);
+  check(gasjet_free(body), GASJET_OK);
   fabric.thickness = -1.0;
   check(gasjet_membrane_create(nodes, NODES, NULL, triangles, TRIANGLES, NULL, &fabric, NULL, 0, NULL, 0,
                                &none),

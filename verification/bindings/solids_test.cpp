@@ -133,6 +133,65 @@ TEST(c_contact, sphere_on_a_flat_side_is_pushed_off_with_equal_and_opposite_forc
             GASJET_DOMAIN);
 }
 
+TEST(c_contact, every_shape_pushes_and_a_tilted_one_turns) {
+  const Mesh mesh = box(20, 0.4);
+  const std::vector<double> mass(static_cast<std::size_t>(mesh.node_count()), 1e-4);
+  const auto made = [&](int64_t shape, double first, double second, double third, Handle& contact) {
+    const gasjet_impactor impactor{shape, {first, second, third}};
+    return gasjet_contact_create_body(mesh.nodes.data(), mesh.node_count(), nullptr, mesh.triangles.data(),
+                                      mesh.triangle_count(), nullptr, mass.data(), 3.0, &impactor, 1e6, 0.0,
+                                      &contact.value);
+  };
+  // Axes x, y, z of the body: a turn about y by the angle with cosine 0.8.
+  const double axes[] = {0.8, 0.0, -0.6, 0.0, 1.0, 0.0, 0.6, 0.0, 0.8};
+  struct Body {
+    int64_t shape;
+    double dimensions[3];
+    double below;  // from the centre to its lowest point
+    bool turns;
+  };
+  const Body bodies[] = {{GASJET_SPHERE, {0.1, 0.0, 0.0}, 0.1, false},
+                         {GASJET_ELLIPSOID, {0.1, 0.1, 0.08}, std::hypot(0.06, 0.064), true},
+                         {GASJET_CYLINDER, {0.05, 0.06, 0.0}, 0.05 + 0.048, true},
+                         {GASJET_DISC, {0.06, 0.05, 0.0}, 0.05 + 0.036, true}};
+  for (const Body& body : bodies) {
+    Handle contact;
+    ASSERT_OK(made(body.shape, body.dimensions[0], body.dimensions[1], body.dimensions[2], contact));
+    std::vector<double> force(mesh.nodes.size(), 0.0);
+    gasjet_contact_sums sums;
+    const double centre[] = {0.2, 0.2, 0.4 + body.below - 0.01};
+    ASSERT_OK(gasjet_contact_evaluate_body(contact.value, mesh.nodes.data(), mesh.node_count(), nullptr,
+                                           centre, axes, nullptr, force.data(),
+                                           static_cast<int64_t>(force.size()), &sums));
+    double down = 0.0;
+    for (std::size_t i = 2; i < force.size(); i += 3) down += force[i];
+    EXPECT_NEAR(down, -sums.force[2], 1e-12 * sums.force[2]);
+    EXPECT_GT(sums.penetration, 0.005);
+    EXPECT_LE(sums.penetration, 0.01 + 1e-12);
+    EXPECT_EQ(std::abs(sums.couple[1]) > 1e-3 * sums.force[2], body.turns) << body.shape;
+  }
+  Handle none, disc;
+  ASSERT_OK(made(GASJET_DISC, 0.06, 0.05, 0.0, disc));
+  const double skewed[] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.1, 0.0, 0.0, 1.0}, far[] = {0.0, 0.0, 5.0};
+  const double spoilt[] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, std::nan(""), 1.0};
+  std::vector<double> force(mesh.nodes.size(), 0.0);
+  gasjet_contact_sums sums;
+  for (const double* bad : {skewed, spoilt}) {
+    EXPECT_EQ(
+        gasjet_contact_evaluate_body(disc.value, mesh.nodes.data(), mesh.node_count(), nullptr, far, bad,
+                                     nullptr, force.data(), static_cast<int64_t>(force.size()), &sums),
+        GASJET_BAD_INPUT);
+    EXPECT_NE(std::string(gasjet_last_error()).find("axes"), std::string::npos);
+  }
+  EXPECT_EQ(gasjet_contact_create_body(mesh.nodes.data(), mesh.node_count(), nullptr, mesh.triangles.data(),
+                                       mesh.triangle_count(), nullptr, mass.data(), 3.0, nullptr, 1e6, 0.0,
+                                       &none.value),
+            GASJET_BAD_INPUT);
+  EXPECT_EQ(made(4, 0.1, 0.1, 0.1, none), GASJET_BAD_INPUT);
+  EXPECT_EQ(made(-1, 0.1, 0.1, 0.1, none), GASJET_BAD_INPUT);
+  EXPECT_EQ(made(GASJET_DISC, 0.1, 0.0, 0.1, none), GASJET_BAD_INPUT);
+}
+
 TEST(c_pendulum, swing_keeps_its_energy_to_second_order) {
   const gasjet_pendulum_model model = pendulum();
   double drift[2];

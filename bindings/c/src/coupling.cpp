@@ -38,6 +38,33 @@ struct Contact : Object {
   coupling::ContactState state;
 };
 
+gasjet_handle contact_of(const double* reference, int64_t node_count, const int64_t* reference_stride,
+                         const int32_t* triangles, int64_t triangle_count, const int64_t* triangle_stride,
+                         const double* mass, double effective_mass,
+                         const coupling::ContactParameters& parameters) {
+  const Points points(reference, node_count, reference_stride, "reference");
+  const auto elements = triangles_of(triangles, triangle_count, triangle_stride, node_count);
+  needed(mass, "mass");
+  return keep(std::make_shared<Contact>(
+      elements, points, std::span(mass, static_cast<std::size_t>(node_count)), effective_mass, parameters));
+}
+
+coupling::Impactor shape_of(const gasjet_impactor& given) {
+  const double* d = given.dimensions;
+  switch (given.shape) {
+    case GASJET_SPHERE:
+      return coupling::Sphere{d[0]};
+    case GASJET_ELLIPSOID:
+      return coupling::Ellipsoid{{d[0], d[1], d[2]}};
+    case GASJET_CYLINDER:
+      return coupling::Cylinder{d[0], d[1]};
+    case GASJET_DISC:
+      return coupling::Disc{d[0], d[1]};
+    default:
+      refuse("impactor.shape", "is " + std::to_string(given.shape) + ", allowed: a gasjet_shape, 0 to 3");
+  }
+}
+
 struct SkinContact : Object {
   SkinContact(const Eigen::Matrix3Xi& triangles, const Points& reference, std::span<const double> masses,
               const coupling::SkinContactParameters& parameters)
@@ -103,27 +130,46 @@ int gasjet_contact_create(const double reference[], int64_t node_count, const in
                           double friction, gasjet_handle* contact) {
   return call([&] {
     needed(contact, "contact");
-    const Points points(reference, node_count, reference_stride, "reference");
-    const auto elements = triangles_of(triangles, triangle_count, triangle_stride, node_count);
-    needed(mass, "mass");
-    *contact = keep(std::make_shared<Contact>(
-        elements, points, std::span(mass, static_cast<std::size_t>(node_count)), effective_mass,
-        coupling::ContactParameters{coupling::Sphere{radius}, stiffness, friction}));
+    *contact = contact_of(reference, node_count, reference_stride, triangles, triangle_count, triangle_stride,
+                          mass, effective_mass, {coupling::Sphere{radius}, stiffness, friction});
+  });
+}
+
+int gasjet_contact_create_body(const double reference[], int64_t node_count, const int64_t reference_stride[],
+                               const int32_t triangles[], int64_t triangle_count,
+                               const int64_t triangle_stride[], const double mass[], double effective_mass,
+                               const gasjet_impactor* impactor, double stiffness, double friction,
+                               gasjet_handle* contact) {
+  return call([&] {
+    needed(contact, "contact");
+    *contact =
+        contact_of(reference, node_count, reference_stride, triangles, triangle_count, triangle_stride, mass,
+                   effective_mass, {shape_of(needed(impactor, "impactor")), stiffness, friction});
   });
 }
 
 int gasjet_contact_evaluate(gasjet_handle contact, const double nodes[], int64_t node_count,
                             const int64_t node_stride[], const double centre[3], const double turn[3],
                             double force[], int64_t force_count, gasjet_contact_sums* sums) {
+  return gasjet_contact_evaluate_body(contact, nodes, node_count, node_stride, centre, nullptr, turn, force,
+                                      force_count, sums);
+}
+
+int gasjet_contact_evaluate_body(gasjet_handle contact, const double nodes[], int64_t node_count,
+                                 const int64_t node_stride[], const double centre[3], const double axes[9],
+                                 const double turn[3], double force[], int64_t force_count,
+                                 gasjet_contact_sums* sums) {
   return call([&] {
     const Use<Contact> use(contact, "contact");
     require_count(node_count, use->model.node_count(), "nodes");
     const Points points(nodes, node_count, node_stride, "nodes");
-    const Eigen::Vector3d at = vector_of(centre, "centre");
+    coupling::Pose pose{vector_of(centre, "centre")};
+    if (axes != nullptr)
+      for (int i = 0; i < 3; ++i) pose.axes.col(i) = vector_of(axes + 3 * i, "axes");
     const Eigen::Vector3d turned = turn == nullptr ? Eigen::Vector3d::Zero().eval() : vector_of(turn, "turn");
     const auto out = output(force, force_count, 3 * node_count, "force");
     needed(sums, "sums");
-    const auto result = use->model.evaluate(use->state, points.view(), {at},
+    const auto result = use->model.evaluate(use->state, points.view(), pose,
                                             Eigen::Map<Eigen::Matrix3Xd>(out.data(), 3, node_count), turned);
     write_vector(result.force, sums->force);
     write_vector(result.couple, sums->couple);

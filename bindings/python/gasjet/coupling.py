@@ -1,14 +1,33 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pendulum, contact of a sphere with a skin, and of a skin with itself. SI units; names of results end with their unit."""
+"""Pendulum, contact of a rigid body with a skin, and of a skin with itself. SI units; names of results end with their unit."""
 from __future__ import annotations
 
-from typing import Any, Dict
+from typing import Any, Dict, Optional, Tuple
 
 from . import _gasjet
 from .arrays import Vector, as_column, as_points, mesh_arrays
 from .errors import InputError
 
 AT_REST = (0.0, 0.0, 0.0)
+ALONG_SPACE = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+SHAPES = {("radius",): 0, ("half_axes",): 1, ("radius", "half_length"): 2, ("radius", "rim_radius"): 3}
+
+
+def _shape(**given: Any) -> int:
+    """Number of the shape that has these dimensions."""
+    names = tuple(name for name, value in given.items() if value is not None)
+    if names not in SHAPES:
+        raise TypeError(f"radius: dimensions are {', '.join(names) or 'missing'}, allowed: radius (a sphere), half_axes (an ellipsoid), "
+                        "radius and half_length (a cylinder), radius and rim_radius (a disc)")
+    return SHAPES[names]
+
+
+def _axes(given: Any) -> Tuple[Any, Any, Any]:
+    """x, y and z axis, which are the columns of a rotation matrix."""
+    axes = as_points(given, "axes")
+    if len(axes) != 3:
+        raise TypeError(f"axes: have the shape {axes.shape}, allowed: (3, 3)")
+    return axes[:, 0], axes[:, 1], axes[:, 2]
 
 
 class Pendulum:
@@ -61,31 +80,42 @@ class Pendulum:
 
 
 class Contact:
-    """Contact of a rigid sphere, radius [m], with a skin: pressure = stiffness [N/m3] times penetration.
+    """Contact of a rigid body with a skin: pressure = stiffness [N/m3] times penetration.
 
-    reference: the skin's stress-free shape; masses [kg] of its nodes and effective_mass [kg] of the sphere affect the frequency;
-    friction [-]: Coulomb's coefficient.
+    The body is a sphere of radius [m], an ellipsoid with three half_axes [m], a cylinder with round ends along its z axis, radius and
+    half_length [m] between the ends' centres, or a disc across its z axis, radius of the flat faces and rim_radius [m].
+    reference: the skin's stress-free shape; masses [kg] of its nodes and effective_mass [kg] of the sphere, or the least of any point
+    of another body, affect the frequency; friction [-]: Coulomb's coefficient.
     """
 
     __slots__ = ("_handle", "_words", "__weakref__")
 
-    def __init__(self, reference: Any, triangles: Any = None, *, masses: Any, effective_mass: float, radius: float, stiffness: float,
-                 friction: float = 0.0) -> None:
+    def __init__(self, reference: Any, triangles: Any = None, *, masses: Any, effective_mass: float, stiffness: float,
+                 radius: Optional[float] = None, half_axes: Optional[Vector] = None, half_length: Optional[float] = None,
+                 rim_radius: Optional[float] = None, friction: float = 0.0) -> None:
+        dimensions = {"radius": radius, "half_axes": half_axes, "half_length": half_length, "rim_radius": rim_radius}
+        shape = _shape(**dimensions)
         reference, triangles = mesh_arrays(reference, triangles, "reference")
-        self._handle = _gasjet.contact(reference, triangles, as_column(masses, "masses"), effective_mass, radius, stiffness, friction)
-        self._words = f"radius {radius:g} m, {stiffness:g} N/m3, friction {friction:g}, {len(triangles)} elements"
+        self._handle = _gasjet.contact(reference, triangles, as_column(masses, "masses"), effective_mass, shape,
+                                       0.0 if radius is None else radius, AT_REST if half_axes is None else half_axes,
+                                       0.0 if half_length is None else half_length, 0.0 if rim_radius is None else rim_radius, stiffness,
+                                       friction)
+        words = ", ".join(f"{name.replace('_', ' ')} {value} m" for name, value in dimensions.items() if value is not None)
+        self._words = f"{words}, {stiffness:g} N/m3, friction {friction:g}, {len(triangles)} elements"
 
     def __repr__(self) -> str:
         return f"<gasjet.Contact {self._words}>"
 
-    def evaluate(self, nodes: Any, centre: Vector, turn: Vector = AT_REST) -> Dict[str, Any]:
-        """node_force_N (n, 3), force_N and couple_Nm on the sphere, energy_J, friction_loss_J (since the last call), area_m2,
+    def evaluate(self, nodes: Any, centre: Vector, turn: Vector = AT_REST, axes: Any = ALONG_SPACE) -> Dict[str, Any]:
+        """node_force_N (n, 3), force_N and couple_Nm (about the centre) on the body, energy_J, friction_loss_J (since the last call), area_m2,
         penetration_m, frequency_1_s2 (for the critical step) and deepest_element (-1: none touches) at positions nodes (n, 3) [m].
 
-        Calls are successive times: between two of them the centre [m] must not cross the skin. turn [rad]: rotation of the sphere
-        since the last call, used by friction only. DomainError if the sphere sinks in by more than half its radius.
+        Calls are successive times: between two of them the centre [m] must not cross the skin. turn [rad]: rotation of the body
+        since the last call, used by friction only. axes (3, 3): columns are the body's axes in space; a sphere ignores them.
+        DomainError if it sinks in by more than half its radius, its rim's, or c^2/a of an ellipsoid with half axes from c to a, or
+        moves so far past the skin that it may have crossed it.
         """
-        return _gasjet.contact_evaluate(self._handle, as_points(nodes, "nodes"), centre, turn)
+        return _gasjet.contact_evaluate(self._handle, as_points(nodes, "nodes"), centre, *_axes(axes), turn)
 
 
 class SkinContact:

@@ -59,28 +59,37 @@ void require_one_per_node(const Numbers& masses, const Points& x) {
 }
 
 Owner contact(const py::object& reference, const py::object& elements, const Numbers& masses,
-              double effective_mass, double radius, double stiffness, double friction) {
+              double effective_mass, std::int64_t shape, double radius, const Vector& half_axes,
+              double half_length, double rim_radius, double stiffness, double friction) {
   const Points x = points(reference, "reference");
   const Triangles t = triangles(elements);
   require_one_per_node(masses, x);
+  gasjet_impactor impactor{shape, {radius, shape == GASJET_CYLINDER ? half_length : rim_radius, 0.0}};
+  if (shape == GASJET_ELLIPSOID) copy(half_axes, impactor.dimensions);
   gasjet_handle handle = 0;
   unlocked([&] {
-    return gasjet_contact_create(x.data(), x.count(), x.stride.data(), t.data(), t.count(), t.stride.data(),
-                                 masses.data(), effective_mass, radius, stiffness, friction, &handle);
+    return gasjet_contact_create_body(x.data(), x.count(), x.stride.data(), t.data(), t.count(),
+                                      t.stride.data(), masses.data(), effective_mass, &impactor, stiffness,
+                                      friction, &handle);
   });
   return std::make_unique<Handle>(handle);
 }
 
 py::dict contact_evaluate(const Handle& contact, const py::object& nodes, const Vector& centre,
+                          const Vector& x_axis, const Vector& y_axis, const Vector& z_axis,
                           const Vector& turn) {
+  double axes[9];
+  copy(x_axis, axes);
+  copy(y_axis, axes + 3);
+  copy(z_axis, axes + 6);
   const Points x = points(nodes, "nodes");
   auto force = vectors<double>(x.count());
   double* f = force.mutable_data();
   std::fill_n(f, 3 * x.count(), 0.0);  // the library adds to it
   gasjet_contact_sums s;
   unlocked([&] {
-    return gasjet_contact_evaluate(contact.value, x.data(), x.count(), x.stride.data(), centre.data(),
-                                   turn.data(), f, 3 * x.count(), &s);
+    return gasjet_contact_evaluate_body(contact.value, x.data(), x.count(), x.stride.data(), centre.data(),
+                                        axes, turn.data(), f, 3 * x.count(), &s);
   });
   py::dict all;
   all["node_force_N"] = force;
@@ -160,8 +169,10 @@ void add_coupling(py::module_& m) {
   def(m, "pendulum_advance", &pendulum_advance,
       {"model", "moment", "dt_before", "dt_after", "angle", "angular_velocity"});
   def(m, "contact", &contact,
-      {"reference", "triangles", "masses", "effective_mass", "radius", "stiffness", "friction"});
-  def(m, "contact_evaluate", &contact_evaluate, {"contact", "nodes", "centre", "turn"});
+      {"reference", "triangles", "masses", "effective_mass", "shape", "radius", "half_axes", "half_length",
+       "rim_radius", "stiffness", "friction"});
+  def(m, "contact_evaluate", &contact_evaluate,
+      {"contact", "nodes", "centre", "axes", "axes", "axes", "turn"});
   def(m, "skin_contact", &skin_contact,
       {"reference", "triangles", "masses", "thickness", "stiffness", "friction"});
   def(m, "skin_contact_evaluate", &skin_contact_evaluate, {"skin_contact", "nodes"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/* Pendulum, contact of a sphere with a skin, and of a skin with itself: libcoupling. Tags (K.n):
+/* Pendulum, contact of a rigid body with a skin, and of a skin with itself: libcoupling. Tags (K.n):
  * docs/theory/coupling.md. */
 #ifndef GASJET_COUPLING_H
 #define GASJET_COUPLING_H
@@ -58,10 +58,31 @@ GASJET_API int gasjet_contact_create(const double reference[], int64_t node_coun
                                      double effective_mass, double radius, double stiffness, double friction,
                                      gasjet_handle* contact);
 
-/* One evaluation; `force` and `couple` act on the sphere. */
+enum gasjet_shape {
+  GASJET_SPHERE = 0,    /* radius */
+  GASJET_ELLIPSOID = 1, /* three half axes */
+  GASJET_CYLINDER = 2,  /* radius, half the distance between the centres of its round ends, on its z axis */
+  GASJET_DISC = 3       /* radius of its flat faces, radius of its rim; across its z axis */
+};
+
+/* Shape of a rigid body. */
+typedef struct gasjet_impactor {
+  int64_t shape;        /* a gasjet_shape */
+  double dimensions[3]; /* [m] as the shape lists them; those after the last are ignored */
+} gasjet_impactor;
+
+/* The same contact for a body of another shape (K.49). effective_mass: the least of any point of the body. */
+GASJET_API int gasjet_contact_create_body(const double reference[], int64_t node_count,
+                                          const int64_t GASJET_OR_NULL reference_stride[],
+                                          const int32_t triangles[], int64_t triangle_count,
+                                          const int64_t GASJET_OR_NULL triangle_stride[], const double mass[],
+                                          double effective_mass, const gasjet_impactor* impactor,
+                                          double stiffness, double friction, gasjet_handle* contact);
+
+/* One evaluation; `force` and `couple` act on the body. */
 typedef struct gasjet_contact_sums {
   double force[3];         /* [N] */
-  double couple[3];        /* [N m] about the sphere's centre, of the friction */
+  double couple[3];        /* [N m] about the body's centre: of the friction alone on a sphere */
   double energy;           /* [J] */
   double friction_loss;    /* [J] since the last call */
   double area;             /* [m2] in contact */
@@ -78,6 +99,15 @@ GASJET_API int gasjet_contact_evaluate(gasjet_handle contact, const double nodes
                                        const int64_t GASJET_OR_NULL node_stride[], const double centre[3],
                                        const double GASJET_OR_NULL turn[3], double force[],
                                        int64_t force_count, gasjet_contact_sums* sums);
+
+/* The same for a body of any shape. axes: its x, y and z axis in space, three numbers each; NULL: those of
+ * space. GASJET_DOMAIN if it sinks in by more than half its radius, its rim's, or c^2/a of an ellipsoid with
+ * half axes from c to a, or moves so far past the skin that it may have crossed it. */
+GASJET_API int gasjet_contact_evaluate_body(gasjet_handle contact, const double nodes[], int64_t node_count,
+                                            const int64_t GASJET_OR_NULL node_stride[],
+                                            const double centre[3], const double GASJET_OR_NULL axes[9],
+                                            const double GASJET_OR_NULL turn[3], double force[],
+                                            int64_t force_count, gasjet_contact_sums* sums);
 
 /* Contact of a skin with itself (K.44): layers closer than `thickness` push each other apart. mass [kg]: one
  * per node; thickness [m] > 0, at most the smallest altitude of a triangle; stiffness [N/m3] > 0: pressure
