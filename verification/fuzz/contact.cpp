@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// On any triangles the contact refuses, or its forces are finite and add up to that on the sphere.
+// On any triangles the contact with any shape refuses, or its forces are finite and add up to that on the
+// sphere.
 #include <stdexcept>
 #include <vector>
 
@@ -22,9 +23,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Eigen::Vector3d centre, step;
   for (int c = 0; c < 3; ++c) centre(c) = bytes.number();
   for (int c = 0; c < 3; ++c) step(c) = bytes.number(-0.01, 0.01);
+  const double length = bytes.number(0.0, 10.0);
+  const coupling::Impactor shapes[] = {coupling::Sphere{radius},
+                                       coupling::Ellipsoid{{radius, 0.5 * radius, 0.4 * radius}},
+                                       coupling::Cylinder{radius, length}, coupling::Disc{length, radius}};
+  const coupling::Impactor& shape = shapes[bytes.integer(0, 3)];
   try {
-    const coupling::ContactModel model(triangles, nodes, masses, 1.0,
-                                       {coupling::Sphere{radius}, stiffness, friction});
+    const coupling::ContactModel model(triangles, nodes, masses, 1.0, {shape, stiffness, friction});
     coupling::ContactState state = model.make_state();
     for (int level = 0; level < 3; ++level) {
       forces.setZero();
