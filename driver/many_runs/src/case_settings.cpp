@@ -45,8 +45,7 @@ std::vector<std::string> CaseSettings::without_jets(const Scene& scene) {
   std::vector<std::string> overrides;
   for (const JetPart& jet : scene.jets)
     overrides.push_back(fmt::format("{}inflator.{}.jet", unset_prefix, jet.inflator));
-  const auto rest = std::ranges::unique(overrides);
-  overrides.erase(rest.begin(), rest.end());
+  overrides.erase(std::unique(overrides.begin(), overrides.end()), overrides.end());
   return overrides;
 }
 

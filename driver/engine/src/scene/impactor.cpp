@@ -57,12 +57,19 @@ ImpactorMotion impactor_motion(const Scene& scene, const State& state) {
 }
 
 double impactor_mass(const Scene& scene) {
-  if (scene.pendulum) return scene.pendulum->model.effective_mass();
+  if (scene.pendulum) {
+    // At the point farthest from the pivot; friction of a sphere has a factor of its own.
+    const coupling::PendulumModel& model = scene.pendulum->model;
+    const double arm = model.parameters().impactor_distance + turning_reach(scene.impactor);
+    return model.axis_inertia() / (arm * arm);
+  }
   return scene.body->model.effective_mass(coupling::reach_of(scene.impactor));
 }
 
 double impactor_omega_squared(const Scene& scene, const Vector3d& force) {
-  if (scene.pendulum) return scene.pendulum->model.omega_squared(force);
+  if (scene.pendulum)
+    return scene.pendulum->model.omega_squared(force) +
+           force.norm() * turning_reach(scene.impactor) / scene.pendulum->model.axis_inertia();
   return scene.body->model.omega_squared(force.norm(), coupling::reach_of(scene.impactor));
 }
 

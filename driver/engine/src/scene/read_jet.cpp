@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// [inflator.jet] -> JetPart.
 #include "scene/read_jet.hpp"
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
