@@ -217,21 +217,69 @@ def test_import_names_every_card():
         assert f"`{keyword}`" in read("case/import.md"), keyword
 
 
-@pytest.mark.parametrize("form,name", [("radioss", "flattened_sphere"), ("radioss", "driver_bag"), ("lsdyna", "sphere_inflation"),
-                                       ("lsdyna", "bag_leak_table"), ("lsdyna", "driver_bag")])
-def test_import_of_export(form, name):
-    """A scene that both commands keep has the same history again, but for the digits of the deck's fields."""
-    times = "--set output.history_exact=true --set output.history_every=1e-3 --set output.frames=0 --set scene.end_time=0.02"
+# End of the runs [s], and whether the Radioss deck has another law, Hencky's for St. Venant-Kirchhoff's: these differ
+# in the second order of strain, which is up to 0.17 here.
+EXPORTED = {"ball_impact": (2e-3, True), "bag_from_files": (2e-3, False), "bag_leak_table": (2e-3, False), "contact_vent": (2e-3, False),
+            "driver_bag": (2e-2, False), "driver_folded": (5e-4, False), "flattened_sphere": (2e-3, False), "half_cylinder": (2e-3, True),
+            "measured_fabric": (2e-2, False), "passenger_sharp_no_jet": (2e-3, False), "sphere_inflation": (2e-3, False),
+            "strapped_sphere": (2e-3, True)}
+
+
+@pytest.mark.parametrize("name", EXPORTED)
+def test_import_of_export(name):
+    """The same history again from both decks, but for the digits of their fields and for Radioss' law."""
+    end, other_law = EXPORTED[name]
+    times = f"--set output.history_exact=true --set output.history_every={end / 10} --set output.frames=0 --set scene.end_time={end}"
     case = ROOT / f"cases/{name}.toml"
-    ok(f"export {case} --format {form} --units kg-m-s --out deck")
-    ok(f"import deck/{DECKS[form]} --out again")
     ok(f"run {case} --out first {times}")
-    ok(f"run {next(Path('again').glob('*.toml'))} --out second {times}")
-    first, second = numbers("first/history.csv"), numbers("second/history.csv")
-    for column in ("pressure_Pa", "temperature_K", "volume_m3", "gas_mass_kg"):
-        largest = max(abs(x) for x in first[column])
-        for a, b in zip(first[column], second[column], strict=True):
-            assert abs(a - b) <= 1e-6 * largest, column
+    first = numbers("first/history.csv")
+    for form, deck in DECKS.items():
+        ok(f"export {case} --format {form} --units kg-m-s --out {form}")
+        ok(f"import {form}/{deck} --out {form}_again")
+        ok(f"run {next(Path(form + '_again').glob('*.toml'))} --out {form}_second {times}")
+        second = numbers(f"{form}_second/history.csv")
+        hencky = form == "radioss" and 'law = "hencky"' in read(next(Path("radioss_again").glob("*.toml")))
+        assert hencky or not (other_law and form == "radioss")
+        limit = 0.03 if other_law and form == "radioss" else 1e-6
+        for column in ("pressure_Pa", "temperature_K", "volume_m3", "gas_mass_kg"):
+            largest = max(abs(x) for x in first[column])
+            for a, b in zip(first[column], second[column], strict=True):
+                assert abs(a - b) <= limit * largest, (form, column)
+
+
+def test_import_of_initial_overpressure():
+    """Gas that is there at time zero: the same mass and energy, also of a part of the bag's gas that is warmer."""
+    case = ROOT / "cases/strapped_sphere.toml"
+    for form, deck in DECKS.items():
+        ok(f"export {case} --format {form} --units kg-mm-ms --out {form}")
+        ok(f"import {form}/{deck} --out again")
+        written = read(next(Path("again").glob("*.toml")))
+        found = re.search(r"pressure = ([0-9.e+]+), temperature = ([0-9.]+) }", written)
+        assert float(found[1]) == pytest.approx(121325, rel=2e-6) and float(found[2]) == pytest.approx(293.15, rel=2e-6), form
+        assert "[[inflator]]" not in written and "there from the start" in read("again/import.md")
+    # 0.5 g of the cube's gas, in 1 m3/1000 with p V / (R T) = 1.12583e-3 kg, at 400 K and cp / cv = 10 / 7.
+    mass = "/FUNCT/1\ninflow\n" + row(0, 5e-4, width=20) + row(20, 5e-4, width=20) + "/FUNCT/2\nheat\n" + row(0, 400.0, width=20) + row(20, 400.0, width=20)
+    deck = re.sub(r"(?s)/FUNCT/1.*?(?=/MAT/GAS)", mass, radioss()).replace("inflator\n" + row(1, 1)[:-1], "inflator\n" + row(1, 0)[:-1])
+    case = taken(deck, "cube_0000.rad")
+    there = 101325 * 1e-3 / (300 * 300)
+    energy = 700 * there * 300 + 1000 * 5e-4 * 400
+    found = re.search(r"pressure = ([0-9.e+]+), temperature = ([0-9.]+) }", case)
+    assert float(found[2]) == pytest.approx(energy / (700 * (there + 5e-4)), rel=1e-9)
+    assert float(found[1]) == pytest.approx(300 * energy / 700 / 1e-3, rel=1e-9)
+    assert "flow in within" not in read("case/import.md")
+    other = deck.replace("/PROP/INJECT1", "/MAT/GAS/MASS/9\nother\n" + row(0.04, width=20) + row(1000.0, 0, 0, 0, 0, width=20) + row(0, width=20) + "/PROP/INJECT1")
+    assert "[[inflator]]" in taken(other.replace(row(4, 1, 2, None)[:-1], row(9, 1, 2, None)[:-1]), "cube_0000.rad")
+    assert "0.0005 kg that are there at time zero flow in within" in read("case/import.md")
+
+
+def test_import_of_plates_and_layers():
+    """A plate that held nodes touch stays where it is; the limit of a thickness is that of the design shape."""
+    ok(f"export {ROOT / 'cases/passenger_sharp_no_jet.toml'} --format radioss --units kg-m-s --out plate")
+    ok("import plate/bag_0000.rad --out again")
+    assert "point = [0.0, 0.0, 0.0]" in read("again/bag_0000.toml") and "moved back" not in read("again/import.md")
+    ok(f"export {ROOT / 'cases/driver_folded.toml'} --format lsdyna --units kg-m-s --out layers")
+    ok("import layers/bag.k --out again")
+    assert "thickness = 0.002  # m" in read("again/bag.toml").split("[membrane.self_contact]")[1]
 
 
 def test_import_of_damaged_decks():

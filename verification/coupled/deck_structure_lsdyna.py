@@ -51,6 +51,7 @@ LISTS = {
     "ELEMENT_SHELL": ([], "=element i8 part i8 node i8 node i8 node i8 node i8"),
     "AIRBAG_REFERENCE_GEOMETRY": ([], "node i8 r16 r16 r16"),
     "DEFINE_CURVE": (["=curve i10 i10 r10 r10 r10 r10 i10 i10"], "r20 r20"),
+    "DEFINE_CURVE_TITLE": (["s80", "=curve i10 i10 r10 r10 r10 r10 i10 i10"], "r20 r20"),
     "CONSTRAINED_EXTRA_NODES_NODE": ([], "part i10 node i10 i10"),
     "SET_NODE_LIST": (["=nodes i10 r10 r10 r10 r10 s10"], " ".join(["node i10"] * 8)),
     "SET_SHELL_LIST": (["=shells i10 r10 r10 r10 r10"], " ".join(["element i10"] * 8)),
@@ -123,7 +124,7 @@ def check_list(deck, keyword, rows):
     if keyword == "NODE":
         for _, values in rows:
             deck.places[values[0]] = values[1:4]
-    elif keyword == "DEFINE_CURVE":
+    elif keyword.startswith("DEFINE_CURVE"):
         times = [values[0] for _, values in rows]
         if len(times) < 2 or any(b <= a for a, b in zip(times, times[1:])):
             fault(rows[0][0], "a curve needs two points or more at rising abscissae")

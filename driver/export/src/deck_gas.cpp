@@ -138,6 +138,7 @@ void add_initial_overpressure(const Scene& scene, Deck& deck) {
   DeckInflator inflator{
       deck.initial_gas, {{0.0, mass}, {end, mass}}, {{0.0, temperature}, {end, temperature}}};
   inflator.of_mass = deck.format == DeckFormat::radioss;
+  inflator.title = initial_overpressure_title;
   std::string when = "in the first cycle";
   if (!inflator.of_mass) {
     const double pulse = pulse_of(scene);

@@ -51,7 +51,8 @@ class LsDynaCards : public Cards {
   void keyword(std::string_view name);
   void row(std::initializer_list<Entry> entries);
   /// `intervals`: even steps on which the program resamples the curve; 0 is its default, a hundred.
-  void curve(int id, const DeckCurve& points, double x_unit, double y_unit, int intervals = 0);
+  void curve(int id, const DeckCurve& points, double x_unit, double y_unit, int intervals = 0,
+             const std::string& title = {});
   /// A curve of overpressure as one of absolute pressure.
   void curve_of_pressure(int id, const DeckCurve& points, double ambient, double y_unit);
   void node(int id, const Eigen::Vector3d& x);

@@ -140,7 +140,7 @@ void write_lsdyna_airbag(const Deck& deck, LsDynaCards& out) {
   for (const DeckInflator& inflator : deck.inflators) {
     const int flow = out.next_curve();
     flows.push_back({flow, out.next_curve()});
-    out.curve(flows.back()[0], inflator.mass_flow, u.time, u.mass_flow());
+    out.curve(flows.back()[0], inflator.mass_flow, u.time, u.mass_flow(), 0, inflator.title);
     out.curve(flows.back()[1], inflator.temperature, u.time, 1.0);
   }
   const int coefficient = vents.of_time ? out.next_curve() : 0,

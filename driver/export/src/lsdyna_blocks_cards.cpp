@@ -23,8 +23,10 @@ void LsDynaCards::row(std::initializer_list<Entry> entries) {
   card(fields);
 }
 
-void LsDynaCards::curve(int id, const DeckCurve& points, double x_unit, double y_unit, int intervals) {
-  keyword("DEFINE_CURVE");
+void LsDynaCards::curve(int id, const DeckCurve& points, double x_unit, double y_unit, int intervals,
+                        const std::string& title) {
+  keyword(title.empty() ? "DEFINE_CURVE" : "DEFINE_CURVE_TITLE");
+  if (!title.empty()) label(title, 80);
   row({{"LCID", whole(id, 10)},
        {"SIDR", whole(0, 10)},
        {"SFA", narrow(1.0)},

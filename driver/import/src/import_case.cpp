@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_head.hpp"
+#include "gas_at_start.hpp"
 #include "import/bag_surface.hpp"
 #include "import/case_writer.hpp"
 
@@ -17,15 +18,29 @@ double extent_of(const mesh::Mesh& mesh) {
   return (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).maxCoeff();
 }
 
-// A case's plate may not touch the bag at the start: it moves back by a hair, or is left out.
-void clear_wall(const mesh::Mesh& mesh, BagDeck& bag, ImportReport& report, const DeckCard& card) {
+// True for a node that is held along all axes that the normal has.
+bool is_held(const BagDeck& bag, long node, const Eigen::Vector3d& normal) {
+  std::array<bool, 3> held{};
+  for (const BagSupport& support : bag.held.supports)
+    if (std::ranges::find(support.nodes, node) != support.nodes.end())
+      for (std::size_t i = 0; i < 3; ++i) held[i] = held[i] || support.along[i];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (normal[static_cast<Eigen::Index>(i)] != 0.0 && !held[i]) return false;
+  return true;
+}
+
+// A case's plate may not reach into the bag at the start: it moves back, or is left out.
+void clear_wall(const BagSurface& surface, BagDeck& bag, ImportReport& report, const DeckCard& card) {
   if (!bag.held.wall) return;
   BagWall& wall = *bag.held.wall;
+  const mesh::Mesh& mesh = surface.mesh;
   const double extent = extent_of(mesh);
   const Eigen::VectorXd depth = -(wall.normal.transpose() * (mesh.nodes.colwise() - wall.point)).transpose();
-  constexpr double hair = 1e-6, most = 0.1;  // of the bag's extent
-  const double deepest = depth.maxCoeff();
-  if (deepest < 0.0) return;
+  constexpr double rounding = 1e-6, most = 0.1;  // of the bag's extent
+  double deepest = 0.0;
+  for (Eigen::Index n = 0; n < depth.size(); ++n)
+    if (depth[n] > deepest && !is_held(bag, surface.numbers[static_cast<std::size_t>(n)], wall.normal))
+      deepest = depth[n];
   if (-depth.minCoeff() < 0.0) {
     report.note(
         fmt::format("the bag starts wholly behind the rigid wall at {}, up to {:.3g} m: the wall is left out",
@@ -33,19 +48,20 @@ void clear_wall(const mesh::Mesh& mesh, BagDeck& bag, ImportReport& report, cons
     bag.held.wall.reset();
     return;
   }
+  if (deepest <= rounding * extent) return;
   if (deepest > most * extent)
     return report.refuse(
         card, fmt::format("the bag starts {:.3g} m behind the rigid wall at {}", deepest, wall.source));
-  wall.point -= (deepest + hair * extent) * wall.normal;
-  report.note(
-      fmt::format("the plate is moved back by {:.3g} m, so that the bag does not touch it at the start",
-                  deepest + hair * extent));
+  wall.point -= deepest * wall.normal;
+  report.note(fmt::format(
+      "the plate is moved back by {:.3g} m, so that the bag does not reach into it at the start", deepest));
 }
 
 // Layers that are thicker than elements are high cannot touch.
-void thin_layers(const mesh::Mesh& mesh, BagDeck& bag, ImportReport& report) {
+void thin_layers(const BagSurface& surface, BagDeck& bag, ImportReport& report) {
   if (bag.held.layer_thickness == 0.0) return;
-  const double altitude = mesh::element_quality(mesh.nodes, mesh.elements).min_altitude;
+  const Eigen::Matrix3Xd& nodes = surface.reference ? *surface.reference : surface.mesh.nodes;
+  const double altitude = mesh::element_quality(nodes, surface.mesh.elements).min_altitude;
   constexpr double below = 0.999;
   if (bag.held.layer_thickness <= below * altitude) return;
   report.note(
@@ -73,8 +89,9 @@ std::unique_ptr<ImportedCase> import_case(const std::filesystem::path& deck, con
   result->scene = mapped.bag.name;
   if (mapped.card != nullptr && !report.refused()) {
     if (const auto surface = surface_of(mapped.bag, *mapped.card, report)) {
-      clear_wall(surface->mesh, mapped.bag, report, *mapped.card);
-      thin_layers(surface->mesh, mapped.bag, report);
+      clear_wall(*surface, mapped.bag, report, *mapped.card);
+      thin_layers(*surface, mapped.bag, report);
+      gas_at_start(mapped.bag, mesh::enclosed_volume(surface->mesh.nodes, surface->mesh.elements), report);
       result->files =
           write_case(mapped.bag, *surface, stem.empty() ? "case" : stem, deck.filename().string());
     }

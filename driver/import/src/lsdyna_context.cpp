@@ -44,15 +44,16 @@ Knots LsDynaContext::curve_of_pressure(long id, double y_unit, const std::string
   return knots;
 }
 
+std::string LsDynaContext::title_of(const DeckCard& card) const {
+  if (head_lines(card) == 0 || card.lines.empty()) return {};
+  const std::string_view first = card.lines.front().text;
+  return std::string(without_blanks(
+      card.keyword.ends_with("_ID") ? first.substr(std::min<std::size_t>(10, first.size())) : first));
+}
+
 std::string LsDynaContext::source(const DeckCard& card) const {
-  std::string title;
-  if (head_lines(card) > 0 && !card.lines.empty()) {
-    const std::string_view first = card.lines.front().text;
-    title = std::string(without_blanks(
-        card.keyword.ends_with("_ID") ? first.substr(std::min<std::size_t>(10, first.size())) : first));
-  }
   std::string text_of = fmt::format("{} {}", text.where(card.at), card.keyword);
-  if (!title.empty()) text_of += ", " + title;
+  if (const std::string title = title_of(card); !title.empty()) text_of += ", " + title;
   for (const std::string_view remark : card.comments) text_of += fmt::format("; {}", remark);
   return text_of;
 }

@@ -27,6 +27,7 @@ struct LsDynaContext {
   Knots curve(long id, double x_unit, double y_unit, const std::string& key, Place at) const;
   /// The same of absolute pressure, over overpressure in Pa.
   Knots curve_of_pressure(long id, double y_unit, const std::string& key, Place at) const;
+  std::string title_of(const DeckCard& card) const;
   /// Comment for the case: place, keyword and title of a card.
   std::string source(const DeckCard& card) const;
 };

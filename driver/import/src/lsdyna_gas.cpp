@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gas/species.hpp"
+#include "gas_at_start.hpp"
 #include "lsdyna_context.hpp"
 #include "vent_curves.hpp"
 
@@ -247,6 +248,8 @@ void LsDynaGas::hybrid() {
     BagInflator inflator;
     inflator.gas.shares = {{gas, 1.0}};
     inflator.mass_flow = flow(flow_curve, line);
+    if (c_.title_of(*c_.tables.curves.at(flow_curve).card) == initial_overpressure_title)
+      inflator.at_once = mass_of(inflator.mass_flow);
     if (heat_curve == 0) throw DeckFault(at(line), "a gas flows in without a temperature (LCIDT)");
     inflator.temperature = c_.curve(heat_curve, u_.time, 1.0, "inflator.temperature", at(line));
     inflator.source = fmt::format("{} gas {}", c_.text.where(at(line)), i + 1);

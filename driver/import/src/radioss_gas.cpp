@@ -132,8 +132,8 @@ void RadiossGas::first_injector(const DeckCard& card, double start) {
     const DeckFields f(c_.text, card, line, {10, 10, 10, 10, 20, 20});
     BagInflator inflator;
     inflator.gas.shares = {{gas(f.whole(0, "Mat_ID"), f.at()), 1.0}};
-    inflator.mass_flow = injected_flow(c_, f.whole(1, "fun_ID_M"), or_one(f.real(4, "Fscale_M")), time_unit,
-                                       is_flow == 1, f.at());
+    inject(c_, inflator, f.whole(1, "fun_ID_M"), or_one(f.real(4, "Fscale_M")), time_unit, is_flow == 1,
+           f.at());
     const long heat = f.whole(2, "fun_ID_T");
     const double factor = or_one(f.real(5, "Fscale_T"));
     inflator.temperature =
@@ -161,8 +161,8 @@ void RadiossGas::second_injector(const DeckCard& card, double start) {
       throw DeckFault(g.at(), "molar fractions over time have no counterpart");
     inflator.gas.shares.emplace_back(gas(g.whole(0, "mat_ID"), g.at()), g.real(1, "Molar_Fraction"));
   }
-  inflator.mass_flow = injected_flow(c_, f.whole(0, "fun_ID_M"), or_one(f.real(2, "Fscale_M")), time_unit,
-                                     is_flow == 1, f.at());
+  inject(c_, inflator, f.whole(0, "fun_ID_M"), or_one(f.real(2, "Fscale_M")), time_unit, is_flow == 1,
+         f.at());
   inflator.temperature = c_.curve(f.whole(1, "fun_ID_T"), time_unit, or_one(f.real(3, "Fscale_T")),
                                   "inflator.temperature", f.at());
   inflator.start = start;

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "gas_at_start.hpp"
 #include "vent_curves.hpp"
 
 namespace driver::imported {
@@ -23,25 +27,20 @@ double start_of_sensor(RadiossContext& c, long sensor, Place at) {
   return c.twenties(card, 1).real(0, "Tdelay") * c.units.time;
 }
 
-Knots injected_flow(RadiossContext& c, long function, double factor, double time_unit, bool is_flow,
-                    Place at) {
+void inject(RadiossContext& c, BagInflator& inflator, long function, double factor, double time_unit,
+            bool is_flow, Place at) {
   Knots knots = c.curve(function, time_unit, factor * (is_flow ? c.units.mass_flow() : c.units.mass),
                         "inflator.mass_flow", at);
+  extend_to(knots, c.bag.end_time);
   if (!is_flow) {
-    constexpr double moment = 1e-9;  // of the run: within the first step
-    extend_to(knots, c.bag.end_time);
-    if (value_at(knots, 0.0) > 0.0)
-      c.report.note(fmt::format("{}: {:.4g} kg that are there at time zero flow in within {:g} of the run",
-                                c.text.where(at), value_at(knots, 0.0), moment));
-    knots = flow_of_mass(knots, moment * c.bag.end_time);
+    inflator.at_once = std::max(value_at(knots, 0.0), 0.0);
+    knots = flow_of_mass(knots, moment_of(c.bag));
     if (knots.empty()) throw DeckFault(at, "the function of mass has one point only");
     c.report.note(fmt::format("{}: cumulative mass as a mass flow that is constant between its knots",
                               c.text.where(at)));
-  } else {
-    extend_to(knots, c.bag.end_time);
   }
   not_below_zero(knots, "inflator.mass_flow", c.report);
-  return knots;
+  inflator.mass_flow = std::move(knots);
 }
 
 void require_plain_volume(RadiossContext& c, const DeckFields& scales, double viscosity) {

@@ -13,9 +13,10 @@ double or_one(double value);
 /// Time at which a sensor fires [s]; 0 without one. Throws DeckFault for sensors other than of time.
 double start_of_sensor(RadiossContext& context, long sensor, Place at);
 
-/// Mass flow [kg/s] of a function of flow, or of cumulative mass.
-Knots injected_flow(RadiossContext& context, long function, double factor, double time_unit, bool is_flow,
-                    Place at);
+/// Gives the inflator the flow of a function of flow, or of cumulative mass; what that has at time zero is
+/// there at once.
+void inject(RadiossContext& context, BagInflator& inflator, long function, double factor, double time_unit,
+            bool is_flow, Place at);
 
 /// What of a volume's first lines has no counterpart: refuses scales of abscissas, and says the viscosity.
 void require_plain_volume(RadiossContext& context, const DeckFields& scales, double viscosity);

@@ -47,8 +47,7 @@ void inline_injector(RadiossContext& c, std::size_t& line) {
                     c.text.where(f.at())));
   BagInflator inflator;
   inflator.gas.shares = {{inline_gas(c, of_gas), 1.0}};
-  inflator.mass_flow =
-      injected_flow(c, mass, or_one(f.real(2, "Fscalemas")), c.units.time, f.whole(1, "Iflow") == 1, f.at());
+  inject(c, inflator, mass, or_one(f.real(2, "Fscalemas")), c.units.time, f.whole(1, "Iflow") == 1, f.at());
   const double factor = f.real(4, "FscaleT");
   inflator.temperature = heat != 0
                              ? c.curve(heat, c.units.time, or_one(factor), "inflator.temperature", f.at())

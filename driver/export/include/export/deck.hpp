@@ -42,11 +42,15 @@ struct DeckGas {
 /// Knots of a curve; times rise. Further knots give the values outside the case's own knots.
 using DeckCurve = std::vector<std::array<double, 2>>;
 
+/// Title of the curve of an inflator that stands for an initial overpressure. Import knows it.
+inline constexpr const char* initial_overpressure_title = "initial overpressure";
+
 struct DeckInflator {
   DeckGas gas;
   DeckCurve mass_flow;    // [kg/s] of time [s]
   DeckCurve temperature;  // [K] of time [s]
   bool of_mass = false;   // true: `mass_flow` is the total mass [kg] so far
+  std::string title{};    // of its flow, in LS-DYNA decks
 };
 
 struct DeckVent {

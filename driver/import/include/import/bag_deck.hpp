@@ -53,6 +53,7 @@ struct BagInflator {
   double start = 0.0;
   std::optional<BagJet> jet;
   std::string source;
+  double at_once = 0.0;  // [kg] of the flow that stand for gas of the start
 };
 
 struct BagVent {
