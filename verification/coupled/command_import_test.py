@@ -217,6 +217,44 @@ def test_import_names_every_card():
         assert f"`{keyword}`" in read("case/import.md"), keyword
 
 
+def places_of(report, keyword):
+    return {place for row in report["cards"] if row["card"] == keyword for place in row["places"]}
+
+
+def test_import_counts_every_card():
+    """Each card of a deck stands in the report at its place, and the counts add up; also of a deck that is refused."""
+    for case in "strapped_sphere", "contact_vent":
+        for form, deck in DECKS.items():
+            ok(f"export {ROOT / f'cases/{case}.toml'} --format {form} --units kg-m-s --out {form}")
+            lines = read(f"{form}/{deck}").split("\n")
+            for change in ("", "lost"):
+                text = "\n".join(lines) if not change else "\n".join(lines).replace("*CONTROL_TERMINATION", "*CONTROL_LOST").replace("/MONVOL/AIRBAG1", "/MONVOL/LOST")
+                Path(form, deck).write_text(text, encoding="utf-8")
+                gasjet(f"import {form}/{deck} --out again")
+                report = json.loads(read("again/import.json"))
+                mark = "*" if form == "lsdyna" else "/"
+                cards = [(i, line.strip()) for i, line in enumerate(text.split("\n"), 1) if line.startswith(mark) and line.strip() != mark + "END"]
+                for at, keyword in cards:
+                    assert f"{deck}:{at}" in places_of(report, keyword), keyword
+                assert report["counts"].pop("cards") == len(cards) == sum(report["counts"].values())
+                assert f"{len(cards)} cards, each counted by the worst that it became" in read("again/import.md")
+                assert report["written"] == (not change)
+
+
+def test_import_of_what_stands_twice():
+    """Of two cards with one number the first is left out; nodes at two places, cards after the end and a second end of the run are named."""
+    curve = "*DEFINE_CURVE\n" + row(1, 0, 1.0, 1.0) + row(0, 0.0, width=20) + row(20, 0.004, width=20)
+    case = taken(lsdyna(more=curve + "*NODE\n" + row(8, width=8)[:-1] + row(100, 100, 110, width=16)) + "*PART\nlost\n" + row(9, 7, 7) + "*TITLE\nlost\n")
+    report = json.loads(read("case/import.json"))
+    first = next(row for row in report["cards"] if row["card"] == "*DEFINE_CURVE_TITLE")
+    assert (first["mapping"], first["how"]) == ("left out", "another card with this number follows, which is taken")
+    assert "mass_flow = { time = [0.0, 0.02], value = [0.0, 4.0] }" in case and "v 0.1 0.1 0.11" in read("case/bag.obj")
+    assert "1 nodes stand twice, at different places" in read("case/import.md") and "2 cards after it are not read" in read("case/import.md")
+    again = radioss("/FUNCT/2\nheat\n" + row(0, 450.0, width=20) + row(20, 450.0, width=20)) + "/TITLE\nlost\n"
+    assert "450.0" in taken(again, "cube_0000.rad") and "1 cards after it are not read" in read("case/import.md")
+    refused_deck("stands twice, allowed: once", lsdyna(more="*CONTROL_TERMINATION\n" + row(30.0)))
+
+
 # End of the runs [s], and whether the Radioss deck has another law, Hencky's for St. Venant-Kirchhoff's: these differ
 # in the second order of strain, which is up to 0.17 here.
 EXPORTED = {"ball_impact": (2e-3, True), "bag_from_files": (2e-3, False), "bag_leak_table": (2e-3, False), "contact_vent": (2e-3, False),

@@ -8,23 +8,11 @@
 #include <cmath>
 
 #include "base/case_reader.hpp"
+#include "deck_reader.hpp"
 #include "mesh/fortran_number.hpp"
 
 namespace driver::imported {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-}
-
-std::string small(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
 
 bool reads(std::string_view text, double& value) {
   std::string number = mesh::without_fortran_exponent(text);
@@ -69,7 +57,7 @@ DeckFields::DeckFields(const DeckText& deck, const DeckCard& card, const DeckLin
 }
 
 void DeckFields::add(std::string_view text) {
-  if (count_ < fields_.size()) fields_[count_++] = trimmed(text);
+  if (count_ < fields_.size()) fields_[count_++] = without_blanks(text);
 }
 
 double DeckFields::real(std::size_t i, const char* name, double fallback) const {
@@ -79,7 +67,7 @@ double DeckFields::real(std::size_t i, const char* name, double fallback) const 
   if (reads(field, value)) return value;
   const bool minus = field.starts_with("-&");
   if (minus || field.starts_with('&')) {
-    const auto found = deck_->parameters.find(small(trimmed(field.substr(minus ? 2 : 1))));
+    const auto found = deck_->parameters.find(in_small_letters(without_blanks(field.substr(minus ? 2 : 1))));
     if (found != deck_->parameters.end()) return minus ? -found->second : found->second;
     throw DeckFault(at(), fmt::format("{} is the parameter {}, which the deck does not define", name, field));
   }
@@ -97,7 +85,7 @@ long DeckFields::whole(std::size_t i, const char* name, long fallback) const {
 std::vector<const DeckLine*> filled(const DeckCard& card, std::size_t from) {
   std::vector<const DeckLine*> lines;
   for (std::size_t i = from; i < card.lines.size(); ++i)
-    if (!trimmed(card.lines[i].text).empty()) lines.push_back(&card.lines[i]);
+    if (!without_blanks(card.lines[i].text).empty()) lines.push_back(&card.lines[i]);
   return lines;
 }
 

@@ -26,6 +26,8 @@ class DeckReader {
   }
 
  private:
+  void count_after_end(char mark, std::string_view text, Place end);
+
   DeckText& deck_;
   int depth_ = 0;
 };

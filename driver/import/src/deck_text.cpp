@@ -44,6 +44,15 @@ std::string DeckText::where(Place at) const {
   return at.line > 0 ? fmt::format("{}:{}", name, at.line) : name;
 }
 
+void DeckReader::count_after_end(char mark, std::string_view text, Place end) {
+  std::size_t count = text.starts_with(mark) ? 1 : 0;
+  for (auto at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+    if (text.substr(at + 1).starts_with(mark)) ++count;
+  if (count > 0)
+    lose(end, std::string(1, mark) + "END",
+         fmt::format("ends the file: {} cards after it are not read", count));
+}
+
 void DeckReader::read_file(const std::filesystem::path& file,
                            const std::function<bool(const DeckLine&)>& read) {
   const int number = static_cast<int>(deck_.files.size());
@@ -55,8 +64,8 @@ void DeckReader::read_file(const std::filesystem::path& file,
     const auto end = std::min(text.find('\n'), text.size());
     std::string_view whole = text.substr(0, end);
     if (whole.ends_with('\r')) whole.remove_suffix(1);
-    if (!read({whole, {number, line}})) return;
     text.remove_prefix(std::min(end + 1, text.size()));
+    if (!read({whole, {number, line}})) return count_after_end(whole[0], text, {number, line});
   }
 }
 

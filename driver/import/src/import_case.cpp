@@ -116,6 +116,8 @@ std::string import_json(const ImportedCase& result) {
                                {"mapping", outcome.refused ? "refused" : name_of(outcome.mapping)},
                                {"how", outcome.how}});
   }
+  object["counts"] = result.report.counts();
+  object["counts"]["cards"] = result.text.cards.size();
   object["notes"] = result.report.notes();
   return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

@@ -109,14 +109,6 @@ const DeckCard* choose_airbag(const DeckText& text, const ImportOptions& options
   return nullptr;
 }
 
-void require_nodes(const BagDeck& bag) {
-  for (const Facet& facet : bag.facets)
-    for (const long node : facet.nodes)
-      if (!bag.nodes.contains(node))
-        throw DeckFault(facet.at,
-                        fmt::format("an element of the bag has node {}, which the deck does not have", node));
-}
-
 std::string title_of(const DeckText& text) {
   for (const DeckCard& card : text.cards)
     if (card.keyword == "*TITLE" && !card.lines.empty())
@@ -132,7 +124,7 @@ ImportedDeck map_lsdyna(const DeckText& text, const ImportOptions& options, Impo
   const auto units = units_of(text, options, report);
   result.card = choose_airbag(text, options, report);
   if (result.card == nullptr || !units) return result;
-  const LsDynaTables tables = lsdyna_tables(text, report);
+  const LsDynaTables tables = lsdyna_tables(report);
   LsDynaContext context{text, tables, report, *units, result.bag, *result.card};
   try {
     const LsDynaEntry entry{result.card, head_lines(*result.card)};
@@ -145,8 +137,7 @@ ImportedDeck map_lsdyna(const DeckText& text, const ImportOptions& options, Impo
     map_fabric(context, leak_option);
     map_supports(context);
   } catch (const DeckFault& fault) {
-    report.refuse(result.card->keyword, fault.at(), fault.what());
-    report.told_elsewhere(*result.card);
+    report.refuse(*result.card, fault);
   }
   return result;
 }

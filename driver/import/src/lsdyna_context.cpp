@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
-
 #include "deck_reader.hpp"
 
 namespace driver::imported {
@@ -28,14 +26,7 @@ long LsDynaContext::whole(const LsDynaEntry& entry, std::size_t line, std::size_
 }
 
 Knots LsDynaContext::curve(long id, double x_unit, double y_unit, const std::string& key, Place at) const {
-  const auto found = tables.curves.find(id);
-  if (found == tables.curves.end())
-    throw DeckFault(at, fmt::format("names the curve {}, which the deck does not have", id));
-  Knots knots;
-  for (const auto& [x, y] : found->second.knots) knots.push_back({x * x_unit, y * y_unit});
-  report.became(*found->second.card, {key}, Mapping::exact,
-                "knots in SI units, with SFA, SFO, OFFA and OFFO applied");
-  return knots;
+  return take_curve(tables.curves, id, x_unit, y_unit, key, at, report);
 }
 
 Knots LsDynaContext::curve_of_pressure(long id, double y_unit, const std::string& key, Place at) const {
@@ -73,21 +64,6 @@ bool LsDynaContext::is_rigid(long part, bool& held) const {
   constexpr long all_translations = 7;
   held = real(*material, 1, 0, "CMO") == 1.0 && whole(*material, 1, 1, "CON1") == all_translations;
   return true;
-}
-
-double area_of(const LsDynaContext& context, long part) {
-  const auto panel = context.panels.find(part);
-  double area = 0.0;
-  for (const Facet& facet : context.bag.facets) {
-    if (panel == context.panels.end() || facet.panel != panel->second) continue;
-    for (std::size_t i = 1; i + 1 < facet.nodes.size(); ++i) {
-      const auto at = [&](std::size_t n) -> const Eigen::Vector3d& {
-        return context.bag.nodes.at(facet.nodes[n]);
-      };
-      area += 0.5 * (at(i) - at(0)).cross(at(i + 1) - at(0)).norm();
-    }
-  }
-  return area;
 }
 
 }  // namespace driver::imported

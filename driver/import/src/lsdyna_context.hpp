@@ -12,8 +12,8 @@ struct LsDynaContext {
   ImportReport& report;
   const Units& units;
   BagDeck& bag;
-  const DeckCard& airbag;                // the card of the bag
-  std::map<long, std::string> panels{};  // parts of the control volume, by their numbers
+  const DeckCard& airbag;  // the card of the bag
+  PanelNames panels{};
 
   /// The material of a part; nothing if the deck lacks one.
   std::optional<LsDynaEntry> material_of(long part) const;
@@ -45,8 +45,5 @@ long map_gas(LsDynaContext& context);
 
 /// A jet for each inflator, from the card of the cone.
 void map_jet(LsDynaContext& context, const LsDynaEntry& card);
-
-/// Area of a part of the control volume at the start [m2].
-double area_of(const LsDynaContext& context, long part);
 
 }  // namespace driver::imported

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bag_fabric.hpp"
 #include "lsdyna_context.hpp"
 #include "vent_curves.hpp"
 #include "weave_direction.hpp"
@@ -27,7 +28,7 @@ class LsDynaFabricReader {
   void elastic(const LsDynaEntry& material, BagFabric& fabric);
   void leak(long part, long material_id, const LsDynaEntry& material, BagFabric& fabric);
   void form(const LsDynaEntry& material, BagFabric& fabric);
-  void threads(const LsDynaEntry& material, BagFabric& fabric);
+  void threads(const LsDynaEntry& material);
   double thickness(long part) const;
 
   LsDynaContext& c_;
@@ -49,12 +50,7 @@ double LsDynaFabricReader::thickness(long part) const {
   return value;
 }
 
-// A fabric whose moduli are those of an isotropic one has no direction.
-bool is_isotropic(const BagFabric& f) {
-  constexpr double digits = 2e-4;  // what five digits of a field leave
-  const double shear = 0.5 * f.warp_modulus / (1.0 + f.poisson);
-  return std::abs(f.weft_modulus / f.warp_modulus - 1.0) < digits && std::abs(f.shear / shear - 1.0) < digits;
-}
+constexpr double five_digits = 2e-4;  // what five digits of a field leave
 
 // A weave needs some shear modulus, or its elements shear without end.
 void stiffen_shear(BagFabric& fabric, Place at, LsDynaContext& c) {
@@ -90,7 +86,7 @@ void LsDynaFabricReader::fabric(long part, const std::string& panel, const LsDyn
         "DAMP = {:g} of the fabric (Rayleigh damping) has no counterpart: it is undamped", damping));
   stiffen_shear(fabric, m.card->at, c_);
   form(m, fabric);
-  if (is_isotropic(fabric) && laws_.back() != "curve") return;
+  if (fabric.is_isotropic(five_digits) && laws_.back() != "curve") return;
   const double aopt = c_.real(m, 2, 0, "AOPT");
   if (aopt == 2.0) {
     fabric.warp = Eigen::Vector3d(c_.real(m, 3, 3, "A1"), c_.real(m, 3, 4, "A2"), c_.real(m, 3, 5, "A3"));
@@ -113,10 +109,11 @@ void LsDynaFabricReader::form(const LsDynaEntry& m, BagFabric& fabric) {
   const long form = std::lround(c_.real(m, 2, 5, "FORM"));
   const bool linear_of_green = form == 2 || form == 12 || form == 3 || form == 13 || form == 4;
   if (form == 14 || form == -14 || form == 24) {
-    threads(m, fabric);
+    threads(m);
     laws_.emplace_back("curve");
   } else {
-    laws_.emplace_back(!linear_of_green && is_isotropic(fabric) ? "hencky" : "saint_venant_kirchhoff");
+    laws_.emplace_back(!linear_of_green && fabric.is_isotropic(five_digits) ? "hencky"
+                                                                            : "saint_venant_kirchhoff");
   }
   const std::string& law = laws_.back();
   c_.report.became(*m.card, {"fabric.law", "fabric.young_modulus", "fabric.density", "fabric.compression"},
@@ -125,7 +122,7 @@ void LsDynaFabricReader::form(const LsDynaEntry& m, BagFabric& fabric) {
 }
 
 // FORM 14: second Piola-Kirchhoff stress over Green-Lagrange strain, as nominal stress over stretch minus 1.
-void LsDynaFabricReader::threads(const LsDynaEntry& m, BagFabric& fabric) {
+void LsDynaFabricReader::threads(const LsDynaEntry& m) {
   for (std::size_t i = 0; i < 2; ++i) {
     long id = c_.whole(m, 5, i, i == 0 ? "LCA" : "LCB");
     if (id == 0 && i == 1) id = c_.whole(m, 5, 0, "LCA");
@@ -139,27 +136,16 @@ void LsDynaFabricReader::threads(const LsDynaEntry& m, BagFabric& fabric) {
       strain = stretch - 1.0;
     }
     if (knots.empty() || knots.front()[0] > 0.0) knots.insert(knots.begin(), {0.0, 0.0});
-    knots = as_stress_curve(knots, c_.report);
-    if (!c_.bag.threads[i].empty() && c_.bag.threads[i] != knots)
-      throw DeckFault(
-          m.card->at,
-          "fabrics by different curves have no counterpart, allowed: one pair of curves for the whole bag");
-    c_.bag.threads[i] = knots;
+    take_thread(c_.bag, i, knots, m.card->at, c_.report);
   }
-  (void)fabric;
 }
 
 void LsDynaFabricReader::elastic(const LsDynaEntry& m, BagFabric& fabric) {
   fabric.density = c_.real(m, 0, 1, "RO") * u_.density();
-  fabric.warp_modulus = fabric.weft_modulus = c_.real(m, 0, 2, "E") * u_.pressure();
-  fabric.poisson = c_.real(m, 0, 3, "PR");
-  if (!(fabric.warp_modulus > 0.0) || !(fabric.density > 0.0))
-    throw DeckFault(m.card->at, "RO and E are needed, above 0");
+  if (!(fabric.density > 0.0)) throw DeckFault(m.card->at, "RO is needed, above 0");
+  take_elastic(fabric, c_.real(m, 0, 2, "E") * u_.pressure(), c_.real(m, 0, 3, "PR"), *m.card, c_.report);
   carries_compression_.push_back(true);
   laws_.emplace_back("saint_venant_kirchhoff");
-  c_.report.became(*m.card, {"fabric.law", "fabric.young_modulus", "fabric.density", "fabric.compression"},
-                   Mapping::approximated,
-                   "a membrane of St. Venant-Kirchhoff's law that carries compression: no bending");
 }
 
 // FVOPT: 1, 2 flow through an orifice; 3, 4 Graefe's law; 7, 8 a curve of velocity over pressure.
@@ -188,33 +174,22 @@ void LsDynaFabricReader::leak(long part, long material_id, const LsDynaEntry& ma
       throw DeckFault(at, fmt::format("FVOPT = {} needs FAC below 0, a curve of velocity", law));
     from_rest(velocity);
     velocity.front()[1] = 0.0;
-    if (c_.bag.leak == BagLeak::screen || (!c_.bag.leak_velocity.empty() && c_.bag.leak_velocity != velocity))
-      throw DeckFault(
-          at, "parts with different laws of leakage have no counterpart, allowed: one law for the whole bag");
-    c_.bag.leak = BagLeak::table;
-    c_.bag.leak_velocity = velocity;
+    take_leak(c_.bag, BagLeak::table, velocity, at);
     fabric.open_share = c;
     return;
   }
   if (f < 0.0) throw DeckFault(at, "FAC below 0, a curve of pressure, has no counterpart with this FVOPT");
   const double share = c * f;
   if (law == 1 || law == 2) {
-    BagVent vent;
-    vent.area = share * area_of(c_, part);
-    vent.source = c_.text.where(at) + " FLC, FAC";
-    c_.report.note(fmt::format(
-        "FVOPT = {}: part {} leaks as an orifice of {:.3g} m2, FLC FAC of its area at the start, which does "
-        "not grow with the fabric{}",
-        law, part, vent.area, law == 2 ? ", and contact does not block it" : ""));
-    c_.bag.vents.push_back(std::move(vent));
-    return;
+    return take_orifice(
+        c_.bag, share * area_of(c_.bag, c_.panels, part), c_.text.where(at) + " FLC, FAC",
+        fmt::format("FVOPT = {}: part {}{}", law, part, law == 2 ? ", which contact does not block," : ""),
+        c_.report);
   }
   if (law != 3 && law != 4)
     throw DeckFault(at, fmt::format("FVOPT = {} has no counterpart, allowed: 1, 2, 3, 4, 7 and 8", law));
-  if (c_.bag.leak == BagLeak::table)
-    throw DeckFault(at, "parts with different laws of leakage have no counterpart");
   if (share > 1.0) throw DeckFault(at, fmt::format("FLC FAC = {:g}, allowed: at most 1", share));
-  c_.bag.leak = BagLeak::screen;
+  take_leak(c_.bag, BagLeak::screen, {}, at);
   fabric.open_share = share;
 }
 
@@ -251,33 +226,17 @@ void LsDynaFabricReader::read(long part, const std::string& panel) {
     leak(part, own->second.material, m, fabric);
     c_.bag.fabrics[panel] = fabric;
   } catch (const DeckFault& fault) {
-    c_.report.refuse(m.card->keyword, fault.at(), fault.what());
-    c_.report.told_elsewhere(*m.card);
+    c_.report.refuse(*m.card, fault);
   }
 }
 
 // One law and one kind of compression for the whole bag.
 void LsDynaFabricReader::finish() {
-  if (c_.bag.fabrics.empty()) {
-    if (!c_.report.refused()) c_.report.refuse(c_.airbag, "no part of the control volume is of fabric");
-    return;
-  }
-  const bool mixed_curves =
-      std::ranges::count(laws_, "curve") % static_cast<std::ptrdiff_t>(laws_.size()) != 0;
-  if (mixed_curves)
-    return c_.report.refuse(c_.airbag,
-                            "parts with and without measured curves (FORM 14) have no counterpart, allowed: "
-                            "one law for the whole bag");
-  c_.bag.carries_compression =
-      std::ranges::all_of(carries_compression_, [](bool carries) { return carries; });
-  if (!c_.bag.carries_compression &&
-      std::ranges::find(carries_compression_, true) != carries_compression_.end())
+  const auto carries = std::ranges::count(carries_compression_, true);
+  c_.bag.carries_compression = carries == static_cast<std::ptrdiff_t>(carries_compression_.size());
+  if (!c_.bag.carries_compression && carries > 0)
     c_.report.note("some parts carry compression (CSE = 0), others do not: here none does");
-  const bool all_hencky = std::ranges::all_of(laws_, [](const auto& law) { return law == "hencky"; });
-  c_.bag.law = laws_.front() == "curve"                    ? "curve"
-               : all_hencky && !c_.bag.carries_compression ? "hencky"
-                                                           : "saint_venant_kirchhoff";
-  if (c_.bag.law == "curve") c_.bag.carries_compression = false;
+  take_law(c_.bag, laws_, c_.airbag, c_.report);
 }
 
 }  // namespace

@@ -43,9 +43,7 @@ class LsDynaGas {
       throw DeckFault(at(line),
                       fmt::format("{} = {:g} has no counterpart: {}", name, real(line, field, name), what));
   }
-  void initial_state(double density);
-  void one_gas(double cp, double cv);
-  void gas_of_moles(std::size_t line, std::size_t first_field);
+  void one_gas(std::size_t line, std::size_t first, double density);
   Knots flow(long curve, std::size_t line);
   void vent(std::size_t line, std::size_t first, const char* name, double opens_at_overpressure);
 
@@ -79,25 +77,22 @@ void LsDynaGas::core() {
         fmt::format("SPSF = {:g} (stagnation pressure of the flow) has no counterpart", stagnation));
 }
 
-void LsDynaGas::one_gas(double cp, double cv) {
-  if (!(cp > cv) || !(cv > 0.0))
-    throw DeckFault(at(1), fmt::format("CP = {:g} and CV = {:g}, allowed: CP above CV above 0", cp, cv));
-  bag_.gases.push_back({"gas", gas::kMolarGasConstant / (cp - cv), {cp}, ""});
+// By CP and CV, or if CV is 0 by the molar A, B and MW on a line. The temperature at the start follows from
+// the density by the ideal gas law.
+void LsDynaGas::one_gas(std::size_t line, std::size_t first, double density) {
+  const double cv = real(1, 0, "CV") * u_.specific_energy(), cp = real(1, 1, "CP") * u_.specific_energy();
+  if (cv != 0.0) {
+    if (!(cp > cv) || !(cv > 0.0))
+      throw DeckFault(at(1), fmt::format("CP = {:g} and CV = {:g}, allowed: CP above CV above 0", cp, cv));
+    bag_.gases.push_back({"gas", gas::kMolarGasConstant / (cp - cv), {cp}, ""});
+  } else {
+    const double a = real(line, first, "A"), mass = real(line, first + 2, "MW") * u_.mass;
+    if (!(a > 0.0) || !(mass > 0.0))
+      throw DeckFault(at(line), "CV is 0, so A and MW of the gas are needed, above 0");
+    const double unit = u_.energy() / mass;
+    bag_.gases.push_back({"gas", mass, {a * unit, real(line, first + 1, "B") * unit}, ""});
+  }
   bag_.initial_gas.shares = {{0, 1.0}};
-}
-
-void LsDynaGas::gas_of_moles(std::size_t line, std::size_t first) {
-  const double a = real(line, first, "A"), b = real(line, first + 1, "B"),
-               mass = real(line, first + 2, "MW") * u_.mass;
-  if (!(a > 0.0) || !(mass > 0.0))
-    throw DeckFault(at(line), "CV is 0, so A and MW of the gas are needed, above 0");
-  const double unit = u_.energy() / mass;
-  bag_.gases.push_back({"gas", mass, {a * unit, b * unit}, ""});
-  bag_.initial_gas.shares = {{0, 1.0}};
-}
-
-// The temperature at the start from the density, by the ideal gas law.
-void LsDynaGas::initial_state(double density) {
   if (!(bag_.ambient_pressure > 0.0))
     throw DeckFault(at(1),
                     "the ambient pressure is 0, allowed: above 0, as it is that of the gas at the start");
@@ -127,7 +122,7 @@ void LsDynaGas::vent(std::size_t line, std::size_t first, const char* name, doub
   vent.source = fmt::format("{} {}", c_.text.where(at(line)), name);
   double area = a * u_.area();
   if (a < 0.0) {
-    area = area_of(c_, std::lround(-a));
+    area = area_of(c_.bag, c_.panels, std::lround(-a));
     if (!(area > 0.0))
       throw DeckFault(
           at(line), fmt::format("{}: the area of part {:g} is asked for, which is not in the control volume",
@@ -154,18 +149,12 @@ void LsDynaGas::vent(std::size_t line, std::size_t first, const char* name, doub
   not_below_zero(vent.of_overpressure, "vent.area", c_.report);
   not_below_zero(vent.of_time, "vent.area", c_.report);
   if (opens_at_overpressure > 0.0) vent.opens_at_overpressure = opens_at_overpressure;
-  if (vent.area > 0.0 || !vent.of_time.empty() || !vent.of_overpressure.empty())
-    bag_.vents.push_back(std::move(vent));
+  if (vent.is_open()) bag_.vents.push_back(std::move(vent));
 }
 
 void LsDynaGas::simple() {
   bag_.ambient_pressure = real(1, 6, "PE") * u_.pressure();
-  const double cv = real(1, 0, "CV") * u_.specific_energy();
-  if (cv == 0.0)
-    gas_of_moles(2, 2);
-  else
-    one_gas(real(1, 1, "CP") * u_.specific_energy(), cv);
-  initial_state(real(1, 7, "RO") * u_.density());
+  one_gas(2, 2, real(1, 7, "RO") * u_.density());
   none(2, 0, "LOU", "the flow out is a curve of pressure");
   if (const long curve = whole(1, 3, "LCID"); curve != 0)
     bag_.inflators.push_back(
@@ -181,17 +170,12 @@ void LsDynaGas::simple() {
   else
     vent.area = mu * area * u_.area();
   if (!vent.of_overpressure.empty()) from_rest(vent.of_overpressure);
-  if (vent.area > 0.0 || !vent.of_overpressure.empty()) bag_.vents.push_back(std::move(vent));
+  if (vent.is_open()) bag_.vents.push_back(std::move(vent));
 }
 
 void LsDynaGas::wang_nefske() {
   bag_.ambient_pressure = real(3, 0, "PE") * u_.pressure();
-  const double cv = real(1, 0, "CV") * u_.specific_energy();
-  if (cv == 0.0)
-    gas_of_moles(5, 1);
-  else
-    one_gas(real(1, 1, "CP") * u_.specific_energy(), cv);
-  initial_state(real(3, 1, "RO") * u_.density());
+  one_gas(5, 1, real(3, 1, "RO") * u_.density());
   if (const double over = real(3, 4, "POVER") * u_.pressure(); over > 0.0)
     bag_.initial_pressure = bag_.ambient_pressure + over;
   const double stated = real(1, 7, "IABT");

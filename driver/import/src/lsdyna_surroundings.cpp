@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lsdyna_context.hpp"
-#include "strap_curves.hpp"
+#include "surroundings.hpp"
 
 namespace driver::imported {
 namespace {
@@ -14,7 +14,8 @@ namespace {
 /// One method a kind of card.
 class LsDynaSurroundings {
  public:
-  explicit LsDynaSurroundings(LsDynaContext& context) : c_(context), u_(context.units) {}
+  explicit LsDynaSurroundings(LsDynaContext& context)
+      : c_(context), u_(context.units), around_(context.bag, context.text, context.report) {}
   void read();
 
  private:
@@ -26,21 +27,20 @@ class LsDynaSurroundings {
   void wall(const DeckCard& card);
   void damping(const DeckCard& card);
   void layers(const DeckCard& card);
-  void straps(const std::vector<LsDynaLine>& lines);
-  void strap(const LsDynaLine& line, bool from, bool to);
+  void strap(const DeckLink& line);
   DeckFields fields(const DeckCard& card, std::size_t line) const {
     return {c_.text, card, line_or_blank(card, line), {10, 10, 10, 10, 10, 10, 10, 10}};
   }
   void pull(const DeckCard& card, long curve, int axis, double acceleration);
   bool is_anchored(long node) const;
-  bool of_bag(long node) const { return bag_.contains(node); }
 
   LsDynaContext& c_;
   const Units& u_;
-  std::set<long> bag_;
+  Surroundings around_;
 };
 
 void LsDynaSurroundings::end(const DeckCard& card) {
+  if (c_.bag.end_time > 0.0) throw DeckFault(card.at, "stands twice, allowed: once");
   c_.bag.end_time = fields(card, 0).real(0, "ENDTIM") * u_.time;
   if (!(c_.bag.end_time > 0.0)) throw DeckFault(card.at, "ENDTIM is 0, allowed: above 0");
   c_.report.became(card, {"scene.end_time"}, Mapping::exact);
@@ -54,18 +54,8 @@ void LsDynaSurroundings::history(const DeckCard& card) {
 
 // The curve gives a factor over time; only a constant one has a counterpart.
 void LsDynaSurroundings::pull(const DeckCard& card, long curve, int axis, double acceleration) {
-  double factor = 1.0;
-  std::string how = "acceleration of everything that moves";
-  if (curve != 0) {
-    const Knots knots = c_.curve(curve, u_.time, 1.0, "scene.gravity", card.at);
-    factor = knots.back()[1];
-    for (const auto& knot : knots)
-      if (knot[1] != factor)
-        how = fmt::format("constant from the start with the factor {:g} of the curve's end", factor);
-  }
-  c_.bag.gravity[axis] += -factor * acceleration * u_.acceleration();
-  c_.report.became(card, {"scene.gravity"}, how.starts_with("acc") ? Mapping::exact : Mapping::approximated,
-                   how);
+  const Knots factor = curve != 0 ? c_.curve(curve, u_.time, 1.0, "scene.gravity", card.at) : Knots{};
+  around_.gravity(card, factor, -acceleration * u_.acceleration() * Eigen::Vector3d::Unit(axis));
 }
 
 void LsDynaSurroundings::body_load(const DeckCard& card, int axis) {
@@ -78,13 +68,10 @@ void LsDynaSurroundings::gravity_of_parts(const DeckCard& card) {
   const DeckFields f = fields(card, head_lines(card));
   const long set = f.whole(0, "PSID"), direction = f.whole(1, "DOF");
   const bool of_set = card.keyword.find("_SET") != std::string::npos;
-  const auto found = c_.tables.part_sets.find(set);
-  if (of_set && found == c_.tables.part_sets.end())
-    throw DeckFault(f.at(), fmt::format("names the part set {}, which the deck does not have", set));
-  const bool pulls = of_set ? found != c_.tables.part_sets.end() &&
-                                  std::ranges::any_of(found->second.members,
-                                                      [&](long part) { return c_.panels.contains(part); })
-                            : c_.panels.contains(set);
+  const auto is_own = [&](long part) { return c_.panels.contains(part); };
+  const bool pulls =
+      of_set ? std::ranges::any_of(entry_of(c_.tables.part_sets, set, "part set", f.at()).members, is_own)
+             : is_own(set);
   if (!pulls) return;
   if (direction < 1 || direction > 3)
     throw DeckFault(f.at(), fmt::format("DOF = {}, allowed: 1, 2 and 3", direction));
@@ -94,26 +81,16 @@ void LsDynaSurroundings::gravity_of_parts(const DeckCard& card) {
 void LsDynaSurroundings::wall(const DeckCard& card) {
   const std::size_t head = head_lines(card);
   const DeckFields who = fields(card, head), where = fields(card, head + 1);
-  if (const long set = who.whole(0, "NSID"); set != 0) {
-    const auto found = c_.tables.node_sets.find(set);
-    if (found == c_.tables.node_sets.end())
-      throw DeckFault(who.at(), fmt::format("names the node set {}, which the deck does not have", set));
-    const bool touches = found != c_.tables.node_sets.end() &&
-                         std::ranges::any_of(found->second.members, [&](long node) { return of_bag(node); });
-    if (!touches) return;
-  }
+  if (const long set = who.whole(0, "NSID");
+      set != 0 && !around_.has_any(entry_of(c_.tables.node_sets, set, "node set", who.at()).members))
+    return;
   const Eigen::Vector3d tail(where.real(0, "XT"), where.real(1, "YT"), where.real(2, "ZT")),
       head_of(where.real(3, "XH"), where.real(4, "YH"), where.real(5, "ZH"));
-  if (!((head_of - tail).norm() > 0.0))
-    throw DeckFault(where.at(), "tail and head of the wall's normal are at one place");
-  if (c_.bag.held.wall)
-    return c_.report.left_out(card, Mapping::none, "a case has one plate: this one is left out");
-  c_.bag.held.wall = BagWall{tail * u_.length, (head_of - tail).normalized(), c_.source(card)};
   const double friction = where.real(6, "FRIC");
-  c_.report.became(card, {"membrane.plate.point", "membrane.plate.normal"}, Mapping::approximated,
-                   friction > 0.0
-                       ? fmt::format("a stiff plate by a penalty, without the friction FRIC = {:g}", friction)
-                       : "a stiff plate by a penalty");
+  around_.wall(card, tail * u_.length, head_of * u_.length, c_.source(card),
+               friction > 0.0
+                   ? fmt::format("a stiff plate by a penalty, without the friction FRIC = {:g}", friction)
+                   : "a stiff plate by a penalty");
 }
 
 void LsDynaSurroundings::damping(const DeckCard& card) {
@@ -146,15 +123,8 @@ void LsDynaSurroundings::damping(const DeckCard& card) {
 // The thickness that pushes layers apart.
 void LsDynaSurroundings::layers(const DeckCard& card) {
   const std::size_t head = head_lines(card);
-  const double thickness = fields(card, head + 2).real(2, "SST") * u_.length;
-  if (!(thickness > 0.0))
-    return c_.report.left_out(card, Mapping::none,
-                              "no thickness (SST) is given, so layers pass through each other; set "
-                              "[membrane.self_contact] thickness by hand");
-  c_.bag.held.layer_thickness = thickness;
-  c_.bag.held.layer_friction = fields(card, head + 1).real(0, "FS");
-  c_.report.became(card, {"membrane.self_contact", "membrane.self_contact.thickness"}, Mapping::approximated,
-                   "pressure between layers with the program's own penalty");
+  around_.layers(card, fields(card, head + 2).real(2, "SST") * u_.length,
+                 fields(card, head + 1).real(0, "FS"), "SST");
 }
 
 // A beam of a stiff material.
@@ -169,13 +139,14 @@ bool LsDynaSurroundings::is_anchored(long node) const {
   bool held = false;
   const auto solid = c_.tables.part_of_solid_node.find(node);
   if (solid != c_.tables.part_of_solid_node.end()) return c_.is_rigid(solid->second, held) && held;
-  for (const LsDynaShell& shell : c_.tables.shells)
+  for (const DeckShell& shell : c_.tables.shells)
     if (std::ranges::find(shell.nodes, node) != shell.nodes.end() && c_.is_rigid(shell.part, held) && held)
       return true;
   return false;
 }
 
-void LsDynaSurroundings::strap(const LsDynaLine& line, bool from, bool to) {
+void LsDynaSurroundings::strap(const DeckLink& line) {
+  if (bool held = false; c_.is_rigid(line.part, held)) return;  // a support, or refused as one that moves
   const auto part = c_.tables.parts.find(line.part);
   if (part == c_.tables.parts.end())
     throw DeckFault(line.at, fmt::format("the part {} is not in the deck", line.part));
@@ -183,17 +154,15 @@ void LsDynaSurroundings::strap(const LsDynaLine& line, bool from, bool to) {
   if (material == c_.tables.materials.end())
     throw DeckFault(line.at, fmt::format("the material of part {} is not in the deck", line.part));
   const LsDynaEntry& m = material->second;
-  if (from != to && is_weld(m) && is_anchored(from ? line.to : line.from)) {
+  const bool from = around_.has(line.from);
+  if (from != around_.has(line.to) && is_weld(m) && is_anchored(from ? line.to : line.from)) {
     c_.bag.held.supports.push_back({{true, true, true}, {from ? line.from : line.to}});
-    c_.report.became(*line.card, {"membrane.fixed_nodes"}, Mapping::approximated,
-                     "stiff beams to held parts hold the bag's nodes");
-    c_.report.told_elsewhere(*m.card);
+    for (const DeckCard* card : {line.card, m.card, part->second.card})
+      c_.report.became(*card, {"membrane.fixed_nodes"}, Mapping::approximated,
+                       "stiff beams to held parts hold the bag's nodes");
     return;
   }
-  if (!from || !to)
-    throw DeckFault(
-        line.at, "joins the bag to something else, which has no counterpart; allowed: two nodes of the bag");
-  const double length = (c_.bag.nodes.at(line.to) - c_.bag.nodes.at(line.from)).norm();
+  const double length = around_.length_of(line);
   StrapLaw law;
   if (is_keyword(*m.card, "*MAT_SPRING_ELASTIC") || is_keyword(*m.card, "*MAT_S01"))
     law = {c_.real(m, 0, 1, "K") * u_.stiffness(), 0.0, 0.0};
@@ -213,32 +182,7 @@ void LsDynaSurroundings::strap(const LsDynaLine& line, bool from, bool to) {
             "{} is no strap, allowed: springs *MAT_SPRING_ELASTIC and _NONLINEAR_ELASTIC, and *MAT_SEATBELT",
             m.card->keyword));
   }
-  c_.bag.held.straps.push_back({line.from, line.to, law.stiffness, length + law.slack,
-                                fmt::format("{} {}", c_.text.where(line.at), line.card->keyword)});
-  const std::string how =
-      law.misfit > 1e-9
-          ? fmt::format("a linear strap without compression: off by up to {:.2g} of the largest force",
-                        law.misfit)
-          : "a linear strap without compression";
-  const Mapping mapping = law.misfit > 1e-9 ? Mapping::approximated : Mapping::exact;
-  c_.report.became(*line.card, {"membrane.strap.from_node", "membrane.strap.to_node"}, Mapping::exact,
-                   "straps by node");
-  c_.report.became(*m.card, {"membrane.strap.stiffness", "membrane.strap.free_length"}, mapping, how);
-  c_.report.told_elsewhere(*part->second.card);
-}
-
-void LsDynaSurroundings::straps(const std::vector<LsDynaLine>& lines) {
-  for (const LsDynaLine& line : lines) {
-    const bool from = of_bag(line.from), to = of_bag(line.to);
-    if (!from && !to) continue;
-    if (bool held = false; c_.is_rigid(line.part, held)) continue;  // a support, or refused as one that moves
-    try {
-      strap(line, from, to);
-    } catch (const DeckFault& fault) {
-      c_.report.refuse(line.card->keyword, fault.at(), fault.what());
-      c_.report.told_elsewhere(*line.card);
-    }
-  }
+  around_.strap(line, law, *m.card, *part->second.card);
 }
 
 void LsDynaSurroundings::read(const DeckCard& card) {
@@ -255,20 +199,11 @@ void LsDynaSurroundings::read(const DeckCard& card) {
 }
 
 void LsDynaSurroundings::read() {
-  for (const Facet& facet : c_.bag.facets) bag_.insert(facet.nodes.begin(), facet.nodes.end());
-  for (const DeckCard& card : c_.text.cards) {
-    try {
-      read(card);
-    } catch (const DeckFault& fault) {
-      c_.report.refuse(card.keyword, fault.at(), fault.what());
-      c_.report.told_elsewhere(card);
-    }
-  }
+  c_.report.each_card([this](const DeckCard& card) { read(card); });
   if (!(c_.bag.end_time > 0.0) && !c_.report.refused())
     c_.report.refuse(c_.airbag, "the deck has no *CONTROL_TERMINATION, and so no end of the run");
-  straps(c_.tables.springs);
-  straps(c_.tables.beams);
-  straps(c_.tables.belts);
+  for (const auto* links : {&c_.tables.springs, &c_.tables.beams, &c_.tables.belts})
+    around_.straps(*links, [this](const DeckLink& link) { strap(link); });
 }
 
 }  // namespace

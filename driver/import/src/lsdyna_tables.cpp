@@ -25,13 +25,14 @@ namespace {
 /// Fills the tables card by card.
 class LsDynaTableReader {
  public:
-  LsDynaTableReader(const DeckText& text, LsDynaTables& tables) : text_(text), tables_(tables) {}
+  LsDynaTableReader(LsDynaTables& tables, ImportReport& report)
+      : text_(report.deck()), tables_(tables), report_(report) {}
   void read(const DeckCard& card);
 
  private:
   void nodes(const DeckCard& card);
   void shells(const DeckCard& card);
-  void lines(const DeckCard& card, std::vector<LsDynaLine>& into, int nodes_from);
+  void lines(const DeckCard& card, std::vector<DeckLink>& into, int nodes_from);
   void solids(const DeckCard& card);
   void parts(const DeckCard& card);
   void sections(const DeckCard& card);
@@ -45,13 +46,14 @@ class LsDynaTableReader {
 
   const DeckText& text_;
   LsDynaTables& tables_;
+  ImportReport& report_;
 };
 
 void LsDynaTableReader::nodes(const DeckCard& card) {
   for (const DeckLine* line : filled(card)) {
     const DeckFields f(text_, card, *line, {8, 16, 16, 16, 8, 8});
     const long id = f.whole(0, "NID");
-    tables_.nodes[id] = {f.real(1, "X"), f.real(2, "Y"), f.real(3, "Z")};
+    tables_.nodes.put(id, {f.real(1, "X"), f.real(2, "Y"), f.real(3, "Z")});
     if (const long code = f.whole(4, "TC"); code != 0) tables_.held[id] = code;
   }
 }
@@ -65,14 +67,14 @@ void LsDynaTableReader::shells(const DeckCard& card) {
   const auto lines = filled(card);
   for (std::size_t i = 0; i < lines.size(); i += 1 + more) {
     const DeckFields f(text_, card, *lines[i], {8, 8, 8, 8, 8, 8});
-    LsDynaShell shell{f.whole(1, "PID"), {}, &card, lines[i]->at};
+    DeckShell shell{f.whole(1, "PID"), {}, &card, lines[i]->at};
     for (std::size_t n = 2; n < 6; ++n)
       if (const long node = f.whole(n, "node"); node > 0) shell.nodes.push_back(node);
     tables_.shells.push_back(std::move(shell));
   }
 }
 
-void LsDynaTableReader::lines(const DeckCard& card, std::vector<LsDynaLine>& into, int nodes_from) {
+void LsDynaTableReader::lines(const DeckCard& card, std::vector<DeckLink>& into, int nodes_from) {
   const bool many = card.keyword.find("THICKNESS") != std::string::npos ||
                     card.keyword.find("SCALAR") != std::string::npos ||
                     card.keyword.find("SECTION") != std::string::npos ||
@@ -99,8 +101,10 @@ void LsDynaTableReader::parts(const DeckCard& card) {
   for (std::size_t i = 0; i + 1 < card.lines.size(); i += 2) {
     const DeckFields f(text_, card, card.lines[i + 1], {10, 10, 10});
     if (f.blank(0) && without_blanks(card.lines[i].text).empty()) break;
-    tables_.parts[f.whole(0, "PID")] = {std::string(without_blanks(card.lines[i].text)), f.whole(1, "SECID"),
-                                        f.whole(2, "MID"), &card};
+    put(tables_.parts, f.whole(0, "PID"),
+        LsDynaPart{std::string(without_blanks(card.lines[i].text)), f.whole(1, "SECID"), f.whole(2, "MID"),
+                   &card},
+        report_);
     if (has_options) break;  // further lines are of the options
   }
 }
@@ -109,29 +113,22 @@ void LsDynaTableReader::sections(const DeckCard& card) {
   const std::size_t head = head_lines(card), step = head + 2;
   const std::size_t lines = card.keyword.starts_with("*SECTION_SHELL") ? step : card.lines.size() + 1;
   for (std::size_t i = head; i < card.lines.size(); i += lines)
-    if (const long id = first_number(card, i); id != 0) tables_.sections[id] = {&card, i};
+    if (const long id = first_number(card, i); id != 0)
+      put(tables_.sections, id, LsDynaEntry{&card, i}, report_);
 }
 
 void LsDynaTableReader::curve(const DeckCard& card) {
   const std::size_t head = head_lines(card);
   const DeckFields f(text_, card, line_or_blank(card, head), {10, 10, 10, 10, 10, 10, 10, 10});
-  const auto factor = [&](std::size_t i, const char* name) {
-    const double value = f.real(i, name);
-    return value == 0.0 ? 1.0 : value;
-  };
-  const double sfa = factor(2, "SFA"), sfo = factor(3, "SFO"), offa = f.real(4, "OFFA"),
+  const double sfa = or_one(f.real(2, "SFA")), sfo = or_one(f.real(3, "SFO")), offa = f.real(4, "OFFA"),
                offo = f.real(5, "OFFO");
-  LsDynaCurve curve{{}, &card};
+  NumberedCurve curve{{}, &card};
   for (const DeckLine* line : filled(card, head + 1)) {
     const DeckFields p(text_, card, *line, {20, 20});
-    const double x = sfa * (p.real(0, "A1") + offa), y = sfo * (p.real(1, "O1") + offo);
-    if (!curve.knots.empty() && x < curve.knots.back()[0])
-      throw DeckFault(line->at,
-                      fmt::format("the curve falls back to {:g} after {:g}", x, curve.knots.back()[0]));
-    curve.knots.push_back({x, y});
+    add_knot(curve, sfa * (p.real(0, "A1") + offa), sfo * (p.real(1, "O1") + offo), line->at);
   }
   if (curve.knots.empty()) throw DeckFault(card.at, "the curve has no points");
-  tables_.curves[f.whole(0, "LCID")] = std::move(curve);
+  put(tables_.curves, f.whole(0, "LCID"), std::move(curve), report_);
 }
 
 void LsDynaTableReader::set(const DeckCard& card, std::map<long, LsDynaSet>& into) {
@@ -139,8 +136,7 @@ void LsDynaTableReader::set(const DeckCard& card, std::map<long, LsDynaSet>& int
              add = card.keyword.find("_ADD") != std::string::npos,
              general = card.keyword.find("_GENERAL") != std::string::npos && !generate;
   const std::size_t head = head_lines(card);
-  LsDynaSet& set = into[first_number(card, head)];
-  set.card = &card;
+  LsDynaSet set{{}, {}, &card};
   if (general) throw DeckFault(card.at, "sets _GENERAL are not read, allowed: _LIST, _GENERATE and _ADD");
   for (const DeckLine* line : filled(card, head + 1)) {
     const DeckFields f(text_, card, *line, 10);
@@ -163,12 +159,12 @@ void LsDynaTableReader::set(const DeckCard& card, std::map<long, LsDynaSet>& int
       }
     }
   }
+  put(into, first_number(card, head), std::move(set), report_);
 }
 
 void LsDynaTableReader::segments(const DeckCard& card) {
   const std::size_t head = head_lines(card);
-  LsDynaSet& set = tables_.segment_sets[first_number(card, head)];
-  set.card = &card;
+  LsDynaSet set{{}, {}, &card};
   for (const DeckLine* line : filled(card, head + 1)) {
     const DeckFields f(text_, card, *line, {10, 10, 10, 10});
     Facet facet{{}, "", line->at};
@@ -176,11 +172,12 @@ void LsDynaTableReader::segments(const DeckCard& card) {
       if (const long node = f.whole(i, "node"); node > 0) facet.nodes.push_back(node);
     set.segments.push_back(std::move(facet));
   }
+  put(tables_.segment_sets, first_number(card, head), std::move(set), report_);
 }
 
 void LsDynaTableReader::entry(const DeckCard& card, std::map<long, LsDynaEntry>& into) {
   const std::size_t head = head_lines(card);
-  into[first_number(card, head)] = {&card, head};
+  put(into, first_number(card, head), LsDynaEntry{&card, head}, report_);
 }
 
 void LsDynaTableReader::read(const DeckCard& card) {
@@ -204,32 +201,12 @@ void LsDynaTableReader::read(const DeckCard& card) {
   if (begins("*SET_SEGMENT")) return segments(card);
 }
 
-// A set or a curve that cannot be read is as if it were not there: what of the bag needs it is refused then.
-// Anything else may be a part of the bag, unseen.
-void lose(const DeckCard& card, const DeckFault& fault, LsDynaTables& tables, ImportReport& report) {
-  const bool by_number = card.keyword.starts_with("*SET_") || card.keyword.starts_with("*DEFINE_");
-  if (!by_number) {
-    report.refuse(card.keyword, fault.at(), fault.what());
-    report.told_elsewhere(card);
-    return;
-  }
-  report.left_out(card, Mapping::none, std::string("is not read: ") + fault.what());
-  for (auto* sets : {&tables.part_sets, &tables.node_sets, &tables.shell_sets, &tables.segment_sets})
-    std::erase_if(*sets, [&](const auto& set) { return set.second.card == &card; });
-}
-
 }  // namespace
 
-LsDynaTables lsdyna_tables(const DeckText& text, ImportReport& report) {
+LsDynaTables lsdyna_tables(ImportReport& report) {
   LsDynaTables tables;
-  LsDynaTableReader reader(text, tables);
-  for (const DeckCard& card : text.cards) {
-    try {
-      reader.read(card);
-    } catch (const DeckFault& fault) {
-      lose(card, fault, tables, report);
-    }
-  }
+  LsDynaTableReader reader(tables, report);
+  read_tables(report, {"*SET_", "*DEFINE_"}, [&](const DeckCard& card) { reader.read(card); });
   return tables;
 }
 

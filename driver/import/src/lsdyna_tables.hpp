@@ -2,12 +2,9 @@
 // What an LS-DYNA deck defines, by its numbers, in the deck's units.
 #pragma once
 
-#include <set>
-
+#include "deck_tables.hpp"
 #include "export/units.hpp"
-#include "import/bag_deck.hpp"
 #include "import/deck_fields.hpp"
-#include "import/import_report.hpp"
 
 namespace driver::imported {
 
@@ -15,20 +12,6 @@ struct LsDynaPart {
   std::string title;
   long section = 0, material = 0;
   const DeckCard* card = nullptr;
-};
-
-struct LsDynaShell {
-  long part = 0;
-  std::vector<long> nodes;
-  const DeckCard* card = nullptr;
-  Place at;
-};
-
-/// A spring, beam or belt between two nodes.
-struct LsDynaLine {
-  long part = 0, from = 0, to = 0;
-  const DeckCard* card = nullptr;
-  Place at;
 };
 
 /// A card, and where its data begin: after a title, or the card of an identifier.
@@ -43,26 +26,21 @@ struct LsDynaSet {
   const DeckCard* card = nullptr;
 };
 
-struct LsDynaCurve {
-  Knots knots;
-  const DeckCard* card = nullptr;
-};
-
 struct LsDynaTables {
-  std::map<long, Eigen::Vector3d> nodes;
+  NodeTable nodes;
   std::map<long, long> held;  // constraint codes of *NODE: translations 1 to 7
-  std::vector<LsDynaShell> shells;
-  std::vector<LsDynaLine> springs, beams, belts;
+  std::vector<DeckShell> shells;
+  std::vector<DeckLink> springs, beams, belts;
   std::set<long> solid_nodes;  // nodes of solids
   std::map<long, long> part_of_solid_node;
   std::map<long, LsDynaPart> parts;
   std::map<long, LsDynaEntry> sections, materials, leakages;  // leakages: by material
   std::map<long, LsDynaSet> part_sets, node_sets, shell_sets, segment_sets;
-  std::map<long, LsDynaCurve> curves;
+  CurveTable curves;
 };
 
 /// Reads the deck's tables. A card that cannot be read is refused in the report.
-LsDynaTables lsdyna_tables(const DeckText& text, ImportReport& report);
+LsDynaTables lsdyna_tables(ImportReport& report);
 
 /// True if the keyword is `word`, perhaps with _TITLE or _ID.
 bool is_keyword(const DeckCard& card, std::string_view word);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/case_writer.hpp"
 #include "lsdyna_context.hpp"
 
 namespace driver::imported {
@@ -17,26 +16,8 @@ std::vector<long> sorted(std::vector<long> nodes) {
   return nodes;
 }
 
-std::string panel_name(const LsDynaContext& c, long part) {
-  const auto found = c.tables.parts.find(part);
-  std::string name = found == c.tables.parts.end() ? "" : plain_name(found->second.title);
-  if (name.empty()) name = fmt::format("part_{}", part);
-  for (const auto& [other, taken] : c.panels)
-    if (taken == name) return fmt::format("{}_{}", name, part);
-  return name;
-}
-
 void claim_mesh(LsDynaContext& c) {
-  for (const DeckCard& card : c.text.cards)
-    if (card.keyword == "*NODE" && !c.report.told(card))
-      c.report.became(card, {"membrane.mesh.file"}, Mapping::exact,
-                      "nodes of the mesh; those of other parts are left out");
-  std::set<const DeckCard*> cards;
-  for (const LsDynaShell& shell : c.tables.shells)
-    if (c.panels.contains(shell.part)) cards.insert(shell.card);
-  for (const DeckCard* card : cards)
-    c.report.became(*card, {"membrane.mesh.file"}, Mapping::exact,
-                    "elements of the mesh; quads are cut in two");
+  claim_shells(c.tables.shells, c.panels, c.report);
   for (const auto& [part, panel] : c.panels)
     if (const auto found = c.tables.parts.find(part);
         found != c.tables.parts.end() && !c.report.told(*found->second.card))
@@ -44,20 +25,22 @@ void claim_mesh(LsDynaContext& c) {
 }
 
 void take_part(LsDynaContext& c, long part) {
-  if (!c.panels.contains(part)) c.panels[part] = panel_name(c, part);
+  const auto found = c.tables.parts.find(part);
+  if (!c.panels.contains(part))
+    c.panels[part] = panel_name(found == c.tables.parts.end() ? "" : found->second.title, part, c.panels);
 }
 
 void facets_of_parts(LsDynaContext& c, const LsDynaSet& set) {
   for (const long part : set.members) take_part(c, part);
-  for (const LsDynaShell& shell : c.tables.shells)
+  for (const DeckShell& shell : c.tables.shells)
     if (const auto panel = c.panels.find(shell.part); panel != c.panels.end())
       c.bag.facets.push_back({shell.nodes, panel->second, shell.at});
 }
 
 // A segment on a shell is fabric of its part; one without closes a hole.
 void facets_of_segments(LsDynaContext& c, const LsDynaSet& set) {
-  std::map<std::vector<long>, const LsDynaShell*> by_nodes;
-  for (const LsDynaShell& shell : c.tables.shells) by_nodes[sorted(shell.nodes)] = &shell;
+  std::map<std::vector<long>, const DeckShell*> by_nodes;
+  for (const DeckShell& shell : c.tables.shells) by_nodes[sorted(shell.nodes)] = &shell;
   std::size_t caps = 0;
   for (const Facet& segment : set.segments) {
     const auto found = by_nodes.find(sorted(segment.nodes));
@@ -78,8 +61,7 @@ void facets_of_segments(LsDynaContext& c, const LsDynaSet& set) {
       "{} segments of the control volume have no shell: they close it as the null panel segments", caps));
 }
 
-void take_nodes(LsDynaContext& c) {
-  for (const auto& [id, place] : c.tables.nodes) c.bag.nodes[id] = place * c.units.length;
+void take_reference(LsDynaContext& c) {
   for (const DeckCard& card : c.text.cards) {
     const bool by_shell = card.keyword.starts_with("*AIRBAG_SHELL_REFERENCE_GEOMETRY");
     if (by_shell) {
@@ -103,7 +85,8 @@ void take_nodes(LsDynaContext& c) {
 }  // namespace
 
 void map_volume(LsDynaContext& c, long set, bool is_part_set) {
-  take_nodes(c);
+  take_nodes(c.tables.nodes, c.units.length, c.bag, c.report);
+  take_reference(c);
   const auto& sets = is_part_set ? c.tables.part_sets : c.tables.segment_sets;
   const auto found = sets.find(set);
   if (found == sets.end())
@@ -123,9 +106,7 @@ namespace {
 /// Nodes of the bag that other cards of the deck hold or move.
 class LsDynaSupports {
  public:
-  explicit LsDynaSupports(LsDynaContext& context) : c_(context) {
-    for (const Facet& facet : c_.bag.facets) bag_.insert(facet.nodes.begin(), facet.nodes.end());
-  }
+  explicit LsDynaSupports(LsDynaContext& context) : c_(context), bag_(nodes_of(context.bag)) {}
   void read();
 
  private:
@@ -134,6 +115,7 @@ class LsDynaSupports {
   void boundary(const DeckCard& card);
   void rigid_parts();
   void rigid_groups(const DeckCard& card);
+  void moved(const DeckCard& card);
   std::vector<long> of_bag(const std::vector<long>& nodes) const {
     std::vector<long> own;
     std::ranges::copy_if(nodes, std::back_inserter(own), [&](long node) { return bag_.contains(node); });
@@ -169,13 +151,10 @@ void LsDynaSupports::boundary(const DeckCard& card) {
     const DeckFields f(c_.text, card, *line, {10, 10, 10, 10, 10, 10, 10, 10});
     std::vector<long> nodes{f.whole(0, "NID")};
     if (by_set) {
-      const auto found = c_.tables.node_sets.find(nodes.front());
-      if (found == c_.tables.node_sets.end())
-        throw DeckFault(line->at,
-                        fmt::format("names the node set {}, which the deck does not have", nodes.front()));
-      nodes = found->second.members;
+      const LsDynaSet& set = entry_of(c_.tables.node_sets, nodes.front(), "node set", line->at);
+      nodes = set.members;
       if (!of_bag(nodes).empty())
-        c_.report.became(*found->second.card, {"membrane.fixed_nodes"}, Mapping::exact, "held nodes");
+        c_.report.became(*set.card, {"membrane.fixed_nodes"}, Mapping::exact, "held nodes");
     }
     nodes = of_bag(nodes);
     if (nodes.empty()) continue;
@@ -195,11 +174,11 @@ void LsDynaSupports::boundary(const DeckCard& card) {
 // fabric or another material that the control volume does not have, is more than supports.
 void LsDynaSupports::rigid_parts() {
   std::map<long, std::vector<long>> common;
-  for (const LsDynaShell& shell : c_.tables.shells)
+  for (const DeckShell& shell : c_.tables.shells)
     for (const long node : of_bag(shell.nodes)) common[shell.part].push_back(node);
   for (const auto& [node, part] : c_.tables.part_of_solid_node)
     if (bag_.contains(node)) common[part].push_back(node);
-  for (const LsDynaLine& beam : c_.tables.beams) {
+  for (const DeckLink& beam : c_.tables.beams) {
     bool held = false;
     if (c_.is_rigid(beam.part, held))
       for (const long node : of_bag({beam.from, beam.to})) common[beam.part].push_back(node);
@@ -251,31 +230,28 @@ void LsDynaSupports::rigid_groups(const DeckCard& card) {
                                 own.size()));
 }
 
+void LsDynaSupports::moved(const DeckCard& card) {
+  const auto lines = filled(card, head_lines(card));
+  if (lines.empty()) return;
+  const long id = DeckFields(c_.text, card, *lines.front(), {10}).whole(0, "NID");
+  const bool of_set = card.keyword.find("_SET") != std::string::npos;
+  const auto set = c_.tables.node_sets.find(id);
+  const bool moves =
+      of_set ? set != c_.tables.node_sets.end() && !of_bag(set->second.members).empty() : bag_.contains(id);
+  if (moves)
+    throw DeckFault(lines.front()->at, "nodes of the bag move as prescribed, which has no counterpart");
+}
+
 void LsDynaSupports::read() {
   constraints();
-  for (const DeckCard& card : c_.text.cards) {
-    try {
-      if (card.keyword.starts_with("*BOUNDARY_SPC_NODE") || card.keyword.starts_with("*BOUNDARY_SPC_SET"))
-        boundary(card);
-      for (const char* word :
-           {"*CONSTRAINED_NODAL_RIGID_BODY", "*CONSTRAINED_EXTRA_NODES", "*CONSTRAINED_NODE_SET"})
-        if (card.keyword.starts_with(word)) rigid_groups(card);
-      if (card.keyword.starts_with("*BOUNDARY_PRESCRIBED_MOTION"))
-        for (const DeckLine* line : filled(card, head_lines(card))) {
-          const long id = DeckFields(c_.text, card, *line, {10}).whole(0, "NID");
-          const bool of_set = card.keyword.find("_SET") != std::string::npos;
-          const auto set = c_.tables.node_sets.find(id);
-          const bool moves = of_set ? set != c_.tables.node_sets.end() && !of_bag(set->second.members).empty()
-                                    : bag_.contains(id);
-          if (moves)
-            throw DeckFault(line->at, "nodes of the bag move as prescribed, which has no counterpart");
-          break;
-        }
-    } catch (const DeckFault& fault) {
-      c_.report.refuse(card.keyword, fault.at(), fault.what());
-      c_.report.told_elsewhere(card);
-    }
-  }
+  c_.report.each_card([&](const DeckCard& card) {
+    const auto begins = [&](const char* word) { return card.keyword.starts_with(word); };
+    if (begins("*BOUNDARY_SPC_NODE") || begins("*BOUNDARY_SPC_SET")) boundary(card);
+    if (begins("*CONSTRAINED_NODAL_RIGID_BODY") || begins("*CONSTRAINED_EXTRA_NODES") ||
+        begins("*CONSTRAINED_NODE_SET"))
+      rigid_groups(card);
+    if (begins("*BOUNDARY_PRESCRIBED_MOTION")) moved(card);
+  });
   rigid_parts();
 }
 

@@ -97,6 +97,7 @@ constexpr std::array radioss_kinds{
     Kind{"/MEMORY", solver_card},
     Kind{"/RANDOM", {Mapping::left_out, "random noise on the nodes"}},
     Kind{"/ADMESH", {Mapping::none, "adaptivity is not mapped: the mesh stays as it is"}},
+    Kind{"/MONVOL", {Mapping::none, "a volume of a bag that is refused"}},
     Kind{"/INTER/TYPE2/", tied_card},
     Kind{"/INTER/TYPE7/", layers_card},
     Kind{"/INTER/TYPE11/", layers_card},

@@ -130,14 +130,6 @@ std::vector<const DeckCard*> choose_volumes(const DeckText& text, const ImportOp
   return report.refused() ? std::vector<const DeckCard*>{} : chosen;
 }
 
-void require_nodes_of(const BagDeck& bag) {
-  for (const Facet& facet : bag.facets)
-    for (const long node : facet.nodes)
-      if (!bag.nodes.contains(node))
-        throw DeckFault(facet.at,
-                        fmt::format("an element of the bag has node {}, which the deck does not have", node));
-}
-
 }  // namespace
 
 ImportedDeck map_radioss(const DeckText& text, const ImportOptions& options, ImportReport& report) {
@@ -146,8 +138,8 @@ ImportedDeck map_radioss(const DeckText& text, const ImportOptions& options, Imp
   const auto volumes = choose_volumes(text, options, report);
   if (volumes.empty() || !units) return result;
   result.card = volumes.front();
-  const RadiossTables tables = radioss_tables(text, report);
-  std::map<long, std::string> panels;
+  const RadiossTables tables = radioss_tables(report);
+  PanelNames panels;
   const auto context = [&](const DeckCard* volume) {
     return RadiossContext{text, tables, report, *units, result.bag, *volume, panels, volumes.size() > 1};
   };
@@ -160,7 +152,7 @@ ImportedDeck map_radioss(const DeckText& text, const ImportOptions& options, Imp
       panels = chamber.panels;
       chambers.take();
     }
-    require_nodes_of(result.bag);
+    require_nodes(result.bag);
     chambers.join();
     for (const DeckCard* volume : volumes) {
       RadiossContext chamber = context(volume);
@@ -171,8 +163,7 @@ ImportedDeck map_radioss(const DeckText& text, const ImportOptions& options, Imp
     map_fabric(bag);
     map_surroundings(bag);
   } catch (const DeckFault& fault) {
-    report.refuse(result.card->keyword, fault.at(), fault.what());
-    report.told_elsewhere(*result.card);
+    report.refuse(*result.card, fault);
   }
   return result;
 }

@@ -5,48 +5,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bag_fabric.hpp"
 #include "deck_reader.hpp"
-#include "import/case_writer.hpp"
 #include "radioss_tables.hpp"
-#include "weave_direction.hpp"
 
 namespace driver::imported {
 
 void map_surface(RadiossContext& c) {
-  for (const auto& [id, place] : c.tables.nodes) c.bag.nodes[id] = place * c.units.length;
+  take_nodes(c.tables.nodes, c.units.length, c.bag, c.report);
   const DeckFields f = c.tens(c.volume, 1);
-  const long surface = f.whole(0, "surf_IDex");
-  const std::set<long> parts = c.parts_of_surface(surface, f.at());
-  for (const long part : parts) {
+  RadiossSurface surface = c.surface(f.whole(0, "surf_IDex"), f.at());
+  for (const long part : surface.parts) {
     if (c.panels.contains(part)) continue;
     const auto found = c.tables.parts.find(part);
-    std::string name = found == c.tables.parts.end() ? "" : plain_name(found->second.title);
-    if (name.empty()) name = fmt::format("part_{}", part);
-    if (std::ranges::any_of(c.panels, [&](const auto& panel) { return panel.second == name; }))
-      name += fmt::format("_{}", part);
-    c.panels[part] = name;
+    c.panels[part] = panel_name(found == c.tables.parts.end() ? "" : found->second.title, part, c.panels);
   }
-  std::set<const DeckCard*> cards;
-  for (const RadiossShell& shell : c.tables.shells)
-    if (parts.contains(shell.part)) {
+  for (const DeckShell& shell : c.tables.shells)
+    if (surface.parts.contains(shell.part))
       c.bag.facets.push_back({shell.nodes, c.panels.at(shell.part), shell.at});
-      cards.insert(shell.card);
-    }
-  auto segments = c.segments_of_surface(surface, f.at());
-  if (!segments.empty()) {
-    if (std::ranges::find(c.bag.null_panels, "segments") == c.bag.null_panels.end())
-      c.bag.null_panels.emplace_back("segments");
-    c.report.note(
-        fmt::format("{} segments close the control volume as the null panel segments", segments.size()));
-  }
-  for (Facet& facet : segments) c.bag.facets.push_back(std::move(facet));
-  for (const DeckCard* card : cards)
-    c.report.became(*card, {"membrane.mesh.file"}, Mapping::exact,
-                    "elements of the mesh; quads are cut in two");
-  for (const DeckCard& card : c.text.cards)
-    if (card.keyword == "/NODE")
-      c.report.became(card, {"membrane.mesh.file"}, Mapping::exact,
-                      "nodes of the mesh; those of other parts are left out");
+  claim_shells(c.tables.shells, c.panels, c.report);
+  if (surface.segments.empty()) return;
+  if (std::ranges::find(c.bag.null_panels, "segments") == c.bag.null_panels.end())
+    c.bag.null_panels.emplace_back("segments");
+  c.report.note(fmt::format("{} segments close the control volume as the null panel segments",
+                            surface.segments.size()));
+  std::ranges::move(surface.segments, std::back_inserter(c.bag.facets));
 }
 
 namespace {
@@ -56,7 +39,7 @@ class RadiossFabricReader {
  public:
   explicit RadiossFabricReader(RadiossContext& context) : c_(context), u_(context.units) {}
   void read(long part, const std::string& panel);
-  void finish();
+  void finish() { take_law(c_.bag, laws_, c_.volume, c_.report); }
 
  private:
   void woven(const DeckCard& card, BagFabric& fabric);
@@ -75,11 +58,7 @@ class RadiossFabricReader {
   bool total_strain_ = false;
 };
 
-bool is_isotropic_weave(const BagFabric& f) {
-  constexpr double digits = 1e-6;
-  const double shear = 0.5 * f.warp_modulus / (1.0 + f.poisson);
-  return std::abs(f.weft_modulus / f.warp_modulus - 1.0) < digits && std::abs(f.shear / shear - 1.0) < digits;
-}
+constexpr double rounding = 1e-6;
 
 // A share of the stress that the reference geometry makes at the start is taken away until it has gone.
 void RadiossFabricReader::start_stress(const DeckCard& card, double zeroed) {
@@ -106,7 +85,7 @@ void RadiossFabricReader::woven(const DeckCard& card, BagFabric& fabric) {
   if (!c_.bag.carries_compression)
     c_.report.note(fmt::format("{}: R_E = {:g}: that share of the stress stays in compression; here none",
                                c_.text.where(card.at), in_compression));
-  laws_.emplace_back(is_isotropic_weave(fabric) && !total_strain_ ? "hencky" : "saint_venant_kirchhoff");
+  laws_.emplace_back(fabric.is_isotropic(rounding) && !total_strain_ ? "hencky" : "saint_venant_kirchhoff");
   c_.report.became(card, {"fabric.law", "fabric.young_modulus", "fabric.density", "fabric.compression"},
                    Mapping::approximated,
                    fmt::format("law \"{}\": agrees to first order of strain", laws_.back()));
@@ -148,11 +127,7 @@ void RadiossFabricReader::threads(const DeckCard& card, BagFabric& fabric) {
     Knots knots =
         c_.curve(id, 1.0, u_.pressure(), i == 0 ? "fabric.warp_curve" : "fabric.weft_curve", card.at);
     std::erase_if(knots, [](const auto& knot) { return knot[0] < 0.0; });
-    knots = as_stress_curve(knots, c_.report);
-    if (!c_.bag.threads[i].empty() && c_.bag.threads[i] != knots)
-      throw DeckFault(
-          card.at, "fabrics by different functions have no counterpart, allowed: one pair for the whole bag");
-    c_.bag.threads[i] = knots;
+    take_thread(c_.bag, i, knots, card.at, c_.report);
   }
   laws_.emplace_back("curve");
   c_.report.became(card, {"fabric.law", "fabric.warp_curve", "fabric.weft_curve", "fabric.density"},
@@ -163,15 +138,9 @@ void RadiossFabricReader::threads(const DeckCard& card, BagFabric& fabric) {
 void RadiossFabricReader::elastic(const DeckCard& card, BagFabric& fabric) {
   density(card, fabric);
   const DeckFields e = c_.twenties(card, 2);
-  fabric.warp_modulus = fabric.weft_modulus = e.real(0, "E") * u_.pressure();
-  fabric.poisson = e.real(1, "NU");
-  if (!(fabric.warp_modulus > 0.0)) throw DeckFault(card.at, "E is needed, above 0");
-  fabric.shear = 0.5 * fabric.warp_modulus / (1.0 + fabric.poisson);
+  take_elastic(fabric, e.real(0, "E") * u_.pressure(), e.real(1, "NU"), card, c_.report);
   c_.bag.carries_compression = true;
   laws_.emplace_back("saint_venant_kirchhoff");
-  c_.report.became(card, {"fabric.law", "fabric.young_modulus", "fabric.density", "fabric.compression"},
-                   Mapping::approximated,
-                   "a membrane of St. Venant-Kirchhoff's law that carries compression: no bending");
 }
 
 void RadiossFabricReader::property(const DeckCard& card, bool needs_warp, BagFabric& fabric) {
@@ -244,28 +213,12 @@ void RadiossFabricReader::read(long part, const std::string& panel) {
       elastic(law, fabric);
     else
       throw DeckFault(law.at, "this material of the bag is not mapped, allowed: LAW1, LAW19, LAW58 and VOID");
-    const bool woven = laws_.back() == "curve" || !is_isotropic_weave(fabric);
+    const bool woven = laws_.back() == "curve" || !fabric.is_isotropic(rounding);
     if (woven) property(*property_of->second, true, fabric);
     c_.bag.fabrics[panel] = fabric;
   } catch (const DeckFault& fault) {
-    c_.report.refuse("/PART/" + std::to_string(part), fault.at(), fault.what());
+    c_.report.refuse(*own->second.card, fault);
   }
-}
-
-void RadiossFabricReader::finish() {
-  if (laws_.empty()) {
-    if (!c_.report.refused()) c_.report.refuse(c_.volume, "no part of the surface is of fabric");
-    return;
-  }
-  const auto curves = std::ranges::count(laws_, "curve");
-  if (curves > 0 && curves < static_cast<std::ptrdiff_t>(laws_.size()))
-    return c_.report.refuse(c_.volume,
-                            "parts with and without functions of threads have no counterpart, allowed: one "
-                            "law for the whole bag");
-  const bool all_hencky = std::ranges::all_of(laws_, [](const auto& law) { return law == "hencky"; });
-  c_.bag.law = curves > 0                                  ? "curve"
-               : all_hencky && !c_.bag.carries_compression ? "hencky"
-                                                           : "saint_venant_kirchhoff";
 }
 
 }  // namespace

@@ -86,10 +86,7 @@ std::size_t RadiossGas::gas(long material, Place at) {
   const std::string name = fmt::format("gas_{}", material);
   if (const auto known = std::ranges::find(bag_.gases, name, &BagGas::name); known != bag_.gases.end())
     return static_cast<std::size_t>(known - bag_.gases.begin());
-  const auto found = c_.tables.materials.find(material);
-  if (found == c_.tables.materials.end())
-    throw DeckFault(at, fmt::format("names the gas {}, which the deck does not have", material));
-  const DeckCard& card = *found->second;
+  const DeckCard& card = *entry_of(c_.tables.materials, material, "gas", at);
   const auto words = words_of(card);
   const std::string kind = words.size() > 2 && words[1] == "GAS" ? words[2] : "";
   BagGas gas{name, 0.0, {}, ""};
@@ -171,10 +168,7 @@ void RadiossGas::second_injector(const DeckCard& card, double start) {
 }
 
 void RadiossGas::injector(long property, double start, Place at) {
-  const auto found = c_.tables.properties.find(property);
-  if (found == c_.tables.properties.end())
-    throw DeckFault(at, fmt::format("names the injector {}, which the deck does not have", property));
-  const DeckCard& card = *found->second;
+  const DeckCard& card = *entry_of(c_.tables.properties, property, "injector", at);
   if (card.keyword.starts_with("/PROP/INJECT1"))
     first_injector(card, start);
   else if (card.keyword.starts_with("/PROP/INJECT2"))

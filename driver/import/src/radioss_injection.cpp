@@ -11,16 +11,9 @@
 
 namespace driver::imported {
 
-double or_one(double value) {
-  return value == 0.0 ? 1.0 : value;
-}
-
 double start_of_sensor(RadiossContext& c, long sensor, Place at) {
   if (sensor == 0) return 0.0;
-  const auto found = c.tables.sensors.find(sensor);
-  if (found == c.tables.sensors.end())
-    throw DeckFault(at, fmt::format("names the sensor {}, which the deck does not have", sensor));
-  const DeckCard& card = *found->second;
+  const DeckCard& card = *entry_of(c.tables.sensors, sensor, "sensor", at);
   if (!card.keyword.starts_with("/SENSOR/TIME"))
     throw DeckFault(card.at, "this kind of sensor has no counterpart, allowed: /SENSOR/TIME");
   c.report.became(card, {"inflator.start_time"}, Mapping::exact);

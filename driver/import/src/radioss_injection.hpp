@@ -7,9 +7,6 @@
 
 namespace driver::imported {
 
-/// The default of factors: 1 for 0.
-double or_one(double value);
-
 /// Time at which a sensor fires [s]; 0 without one. Throws DeckFault for sensors other than of time.
 double start_of_sensor(RadiossContext& context, long sensor, Place at);
 

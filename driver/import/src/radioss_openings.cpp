@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bag_fabric.hpp"
 #include "radioss_inline_gas.hpp"
 #include "vent_curves.hpp"
 
@@ -66,7 +67,7 @@ void RadiossOpenings::vent() {
   vent.source = c_.text.where(head.at());
   if (surface != 0) {
     area = 0.0;
-    for (const long part : c_.parts_of_surface(surface, head.at())) area += c_.area_of(part);
+    for (const long part : c_.surface(surface, head.at()).parts) area += area_of(c_.bag, c_.panels, part);
     area *= given;
     c_.report.note(
         fmt::format("{}: the vent's area is that of surface {} at the start, {:.3g} m2 with its factor, and "
@@ -80,11 +81,8 @@ void RadiossOpenings::vent() {
     throw DeckFault(f.at(), "fct_IDA, an area over that of the surface, has no counterpart");
   if (of_time != 0 && of_pressure != 0)
     throw DeckFault(f.at(), "an area of time and of pressure has no counterpart, allowed: one of them");
-  const auto factor = [&](std::size_t i, const char* name) {
-    return f.real(i, name) == 0.0 ? 1.0 : f.real(i, name);
-  };
   if (of_time != 0) {
-    vent.of_time = c_.curve(of_time, u_.time, area * factor(4, "Fscalet"), "vent.area", f.at());
+    vent.of_time = c_.curve(of_time, u_.time, area * or_one(f.real(4, "Fscalet")), "vent.area", f.at());
     if (vent.opens_at_overpressure)
       throw DeckFault(f.at(), "an area of time with an opening pressure has no counterpart");
     if (vent.opens_at > 0.0) {
@@ -96,7 +94,7 @@ void RadiossOpenings::vent() {
     not_below_zero(vent.of_time, "vent.area", c_.report);
   } else if (of_pressure != 0) {
     vent.of_overpressure =
-        c_.curve(of_pressure, u_.pressure(), area * factor(5, "FscaleP"), "vent.area", f.at());
+        c_.curve(of_pressure, u_.pressure(), area * or_one(f.real(5, "FscaleP")), "vent.area", f.at());
     from_rest(vent.of_overpressure);
     not_below_zero(vent.of_overpressure, "vent.area", c_.report);
   } else {
@@ -107,8 +105,7 @@ void RadiossOpenings::vent() {
     throw DeckFault(head.at(), "Iform = 2, a velocity of the outflow, has no counterpart, allowed: 1");
   if (form == 3)
     throw DeckFault(head.at(), "Iform = 3, Graefe's formula for a vent, has no counterpart, allowed: 1");
-  if (vent.area > 0.0 || !vent.of_time.empty() || !vent.of_overpressure.empty())
-    c_.bag.vents.push_back(std::move(vent));
+  if (vent.is_open()) c_.bag.vents.push_back(std::move(vent));
 }
 
 // The leak of one part by its material: 1, 4 through an orifice, 2 a curve of velocity, 3 Graefe's law.
@@ -130,25 +127,11 @@ void RadiossOpenings::leak(long part, long law, const Knots& velocity, Place at)
                    "the open share of its parts");
   if (share == 0.0) return;
   if (law == 1 || law == 4) {
-    BagVent vent;
-    vent.area = share * c_.area_of(part);
-    vent.source = c_.text.where(at) + ", porous part " + panel->second;
-    c_.report.note(
-        fmt::format("Iformps = {}: part {} leaks as an orifice of {:.3g} m2, LC AC of its area at the start, "
-                    "which does not grow with the fabric",
-                    law, part, vent.area));
-    c_.bag.vents.push_back(std::move(vent));
-    return;
+    return take_orifice(c_.bag, share * area_of(c_.bag, c_.panels, part),
+                        c_.text.where(at) + ", porous part " + panel->second,
+                        fmt::format("Iformps = {}: part {}", law, panel->second), c_.report);
   }
-  const BagLeak own_law = law == 2 ? BagLeak::table : BagLeak::screen;
-  if (c_.bag.leak != BagLeak::none &&
-      (c_.bag.leak != own_law || (law == 2 && c_.bag.leak_velocity != velocity))) {
-    // Curves that are one another's multiples differ by the share alone.
-    throw DeckFault(
-        at, "parts with different laws of leakage have no counterpart, allowed: one law for the whole bag");
-  }
-  c_.bag.leak = own_law;
-  c_.bag.leak_velocity = velocity;
+  take_leak(c_.bag, law == 2 ? BagLeak::table : BagLeak::screen, velocity, at);
   c_.bag.fabrics[panel->second].open_share = share;
 }
 
@@ -176,7 +159,7 @@ void RadiossOpenings::porous() {
   }
   if (law == 2) {
     const DeckFields f(c_.text, card, line_or_blank(card, line_++), {10, 10, 20});
-    const double factor = f.real(2, "Fscalevps") == 0.0 ? 1.0 : f.real(2, "Fscalevps");
+    const double factor = or_one(f.real(2, "Fscalevps"));
     velocity =
         c_.curve(f.whole(0, "fct_IDvps"), u_.pressure(), factor * u_.velocity(), "fabric.velocity", f.at());
     from_rest(velocity);
@@ -184,7 +167,7 @@ void RadiossOpenings::porous() {
   }
   if (law < 1 || law > 4)
     throw DeckFault(head.at(), fmt::format("Iformps = {} has no counterpart, allowed: 0 to 4", law));
-  for (const long part : c_.parts_of_surface(surface, head.at())) leak(part, law, velocity, head.at());
+  for (const long part : c_.surface(surface, head.at()).parts) leak(part, law, velocity, head.at());
 }
 
 void RadiossOpenings::read() {

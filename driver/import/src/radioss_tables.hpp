@@ -2,12 +2,9 @@
 // What a Radioss starter deck defines, by its numbers, in the deck's units.
 #pragma once
 
-#include <set>
-
+#include "deck_tables.hpp"
 #include "export/units.hpp"
-#include "import/bag_deck.hpp"
 #include "import/deck_fields.hpp"
-#include "import/import_report.hpp"
 
 namespace driver::imported {
 
@@ -17,40 +14,28 @@ struct RadiossPart {
   const DeckCard* card = nullptr;
 };
 
-struct RadiossShell {
-  long part = 0;
-  std::vector<long> nodes;
-  const DeckCard* card = nullptr;
-  Place at;
-};
-
-struct RadiossSpring {
-  long part = 0, from = 0, to = 0;
-  const DeckCard* card = nullptr;
-  Place at;
-};
-
-struct RadiossCurve {
-  Knots knots;
-  const DeckCard* card = nullptr;
-};
-
 /// Words of a keyword between slashes: /MAT/GAS/MASS/4 has four.
 std::vector<std::string> words_of(const DeckCard& card);
 /// The number at the end of a keyword; 0 if it has none.
 long number_of(const DeckCard& card);
 
 struct RadiossTables {
-  std::map<long, Eigen::Vector3d> nodes;
-  std::vector<RadiossShell> shells;
-  std::vector<RadiossSpring> springs;
+  NodeTable nodes;
+  std::vector<DeckShell> shells;
+  std::vector<DeckLink> springs;
   std::map<long, RadiossPart> parts;
   std::map<long, const DeckCard*> materials, properties, leaks, surfaces, groups, sensors, subsets;
-  std::map<long, RadiossCurve> curves;
+  CurveTable curves;
 };
 
 /// Reads the deck's tables. A card that cannot be read is refused in the report.
-RadiossTables radioss_tables(const DeckText& text, ImportReport& report);
+RadiossTables radioss_tables(ImportReport& report);
+
+/// Members of a surface.
+struct RadiossSurface {
+  std::set<long> parts;
+  std::vector<Facet> segments;
+};
 
 struct RadiossContext {
   const DeckText& text;
@@ -58,9 +43,9 @@ struct RadiossContext {
   ImportReport& report;
   const Units& units;
   BagDeck& bag;
-  const DeckCard& volume;                // the monitored volume
-  std::map<long, std::string> panels{};  // parts of the surface, by their numbers
-  bool chambers_are_one = false;         // volumes that exchange gas are one
+  const DeckCard& volume;         // the monitored volume
+  PanelNames panels{};            // parts of the surface, by their numbers
+  bool chambers_are_one = false;  // volumes that exchange gas are one
 
   DeckFields tens(const DeckCard& card, std::size_t line) const;      // ten fields of ten columns
   DeckFields twenties(const DeckCard& card, std::size_t line) const;  // five fields of twenty columns
@@ -68,10 +53,8 @@ struct RadiossContext {
   std::string source(const DeckCard& card) const;
   /// Members of sets, those of sets of sets included. Throw DeckFault for a kind that is not read, and for
   /// sets that have each other as members.
-  std::set<long> parts_of_surface(long surface, Place at, int depth = 0) const;
-  std::vector<Facet> segments_of_surface(long surface, Place at, int depth = 0) const;
+  RadiossSurface surface(long number, Place at, int depth = 0) const;
   std::set<long> nodes_of_group(long group, Place at, int depth = 0) const;
-  double area_of(long part) const;  // [m2] at the start
 };
 
 void map_surface(RadiossContext& context);

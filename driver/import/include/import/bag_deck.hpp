@@ -61,8 +61,8 @@ struct BagVent {
   Knots of_time, of_overpressure;               // [m2]
   double opens_at = 0.0;                        // [s]
   std::optional<double> opens_at_overpressure;  // [Pa]
-  bool stays_open = true;
   std::string source;
+  bool is_open() const { return area > 0.0 || !of_time.empty() || !of_overpressure.empty(); }
 };
 
 /// Fabric of a panel.
@@ -73,6 +73,7 @@ struct BagFabric {
   std::optional<Eigen::Vector3d> warp;  // direction; none: isotropic
   double open_share = 0.0;              // [-] of the area, to which the leak law applies
   std::string source;
+  bool is_isotropic(double digits) const;  // but for this relative error
 };
 
 struct BagSupport {

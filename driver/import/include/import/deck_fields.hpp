@@ -38,6 +38,11 @@ class DeckFields {
   std::size_t count_ = 0;
 };
 
+/// A factor, for which a blank field or 0 means 1.
+inline double or_one(double value) {
+  return value == 0.0 ? 1.0 : value;
+}
+
 /// The lines of a card that are not blank.
 std::vector<const DeckLine*> filled(const DeckCard& card, std::size_t from = 0);
 
