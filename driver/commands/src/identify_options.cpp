@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "base/case_reader.hpp"
+#include "tank_readings.hpp"
 #include "validators.hpp"
 
 namespace driver::commands {
@@ -39,7 +40,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   add("--tank-unit", a.tank_unit, "of the tank's pressure, absolute unless it says gauge (\"kPa gauge\")");
   c->add_option("--chamber-unit", a.chamber_unit, "of the chamber's pressure; default: Pa")->check(given);
   c->add_option("--ambient-pressure", a.ambient_pressure,
-                "that gauge pressures count from [Pa]; default: 101325")
+                fmt::format("that gauge pressures count from [Pa]; default: {}", standard_atmosphere))
       ->check(positive);
   add("--noise", a.noise, "the gauges' noise is a fixed share of the reading, or of the full scale")
       ->check(CLI::IsMember({"reading", "full-scale"}));

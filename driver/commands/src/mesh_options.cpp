@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_options.hpp"
 
+#include <fmt/format.h>
+
 #include <string>
 
+#include "engine/bag_holes.hpp"
 #include "results/bag_shape.hpp"
 #include "results/mesh_reader.hpp"
 #include "validators.hpp"
@@ -89,7 +92,9 @@ void add_mesh(CLI::App& app, MeshArguments& arguments) {
                    "may be repeated")
       ->allow_extra_args(false)
       ->option_text("NAME[=HOLE|SET]");
-  convert->add_option("--cap-length", arguments.cap_length, "longest hole to close [m]; default: 1.5")
+  convert
+      ->add_option("--cap-length", arguments.cap_length,
+                   fmt::format("longest hole to close [m]; default: {}", longest_hole))
       ->check(positive);
   convert->add_flag("--report", arguments.report,
                     "report only: an open or inside-out surface is not an error");

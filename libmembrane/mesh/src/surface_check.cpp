@@ -211,7 +211,10 @@ SurfaceReport check_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nod
 }
 
 void require_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes, const Elements& elements) {
-  const SurfaceReport report = check_closed_surface(nodes, elements);
+  require_closed_surface(check_closed_surface(nodes, elements));
+}
+
+void require_closed_surface(const SurfaceReport& report) {
   if (!report.ok())
     throw std::invalid_argument("surface is not a closed control volume:\n" + report.describe());
 }

@@ -54,8 +54,7 @@ BagMesh read_bag_mesh(TableReader table, const MeshReader& read_mesh, std::vecto
     const int times = table.at("refine").integer(0, 6, 0);
     table.located("refine", [&] { check_refinement(source.mesh.element_count(), times); });
     const auto report = surface_report(source.shape(), source.mesh.elements, needs);
-    if (needs.closed && !report.ok())
-      throw std::invalid_argument("surface is not a closed control volume:\n" + report.describe());
+    if (needs.closed) mesh::require_closed_surface(report);
     refine(source, times, null_panels);
     order_nodes(source);
   });

@@ -62,5 +62,7 @@ SurfaceReport check_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nod
 /// Throws std::invalid_argument with describe() unless the surface is ok().
 void require_closed_surface(const Eigen::Ref<const Eigen::Matrix3Xd>& nodes,
                             const Eigen::Ref<const Eigen::Matrix3Xi>& elements);
+/// The same for a report.
+void require_closed_surface(const SurfaceReport& report);
 
 }  // namespace mesh
