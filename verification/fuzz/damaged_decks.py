@@ -160,7 +160,7 @@ def cards_of(text, mark):
     for number, line in enumerate(text.split("\n"), 1):
         if mark == "*" and line.startswith("*"):
             word = re.split(r"[ \t,]", line.strip())[0].upper()
-            yield number, word[:-1] if word[-1] in "+-" and word not in ("*END+", "*END-") and len(word) > 1 else word
+            yield number, word[:-1] if word[-1] in "+-" and len(word) > 1 else word
         elif mark == "/" and (line.startswith("/") or line.startswith(("#include", "#INCLUDE"))):
             yield number, "#INCLUDE" if line[0] == "#" else line.strip().upper()
 
@@ -171,7 +171,7 @@ def judge_report(out, path, text):
     mark = "*" if path.suffix in (".k", ".key", ".dyn") else "/"
     cards = list(cards_of(text, mark))
     end = next((i for i, (_, word) in enumerate(cards) if word == mark + "END"), None)
-    after = cards[end + 1:] if end is not None else []
+    after = [card for card in cards[end + 1:] if card[1][0] == mark] if end is not None else []
     cards = cards[:end]
     lines = [line for line, _ in cards]
     told = set()

@@ -57,7 +57,11 @@ DeckFields::DeckFields(const DeckText& deck, const DeckCard& card, const DeckLin
 }
 
 void DeckFields::add(std::string_view text) {
-  if (count_ < fields_.size()) fields_[count_++] = without_blanks(text);
+  const std::string_view field = without_blanks(text);
+  if (count_ < fields_.size())
+    fields_[count_++] = field;
+  else if (!field.empty())
+    throw DeckFault(at_, fmt::format("has more than {} fields", fields_.size()));
 }
 
 double DeckFields::real(std::size_t i, const char* name, double fallback) const {

@@ -42,14 +42,14 @@ class LsDynaText {
   bool begin(const DeckLine& line) {
     std::string word = in_capitals(without_blanks(line.text.substr(0, line.text.find_first_of(" \t,"))));
     const std::string_view rest = without_blanks(line.text.substr(std::min(word.size(), line.text.size())));
-    if (word == "*END") {
-      ended_ = true;
-      return false;
-    }
     card_ = {};
     card_.at = line.at;
     card_.is_long = word.ends_with('+') || (all_long_ && !word.ends_with('-'));
     if (word.ends_with('+') || word.ends_with('-')) word.pop_back();
+    if (word == "*END") {
+      ended_ = true;
+      return false;
+    }
     if (word == "*KEYWORD")
       options(in_capitals(rest), line.at);
     else if (!rest.empty())
