@@ -12,7 +12,7 @@
   jet_decay     centreline decay, spreading and entrainment of the jet model against bands of measured jets (docs/theory/jet.md), and
                 against three measured jets, cold, hot and sonic (docs/theory/jet_decay.md)
   jet_push      restitution that computed flows in closed cavities have, from docs/data (docs/theory/jet_push.md)
-  damaged       what damaged input does: an hour of the fuzzers, and 10,000 damaged cases by class
+  damaged       what damaged input does: an hour of the fuzzers, 10,000 damaged cases and 5,000 damaged decks by class
   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
   concepts      drawings of what words say poorly
   unfolding     layers of a bag that starts folded, at six times; needs matplotlib
@@ -169,7 +169,8 @@ def jet_push():
 def damaged():
     output(ROOT / "scripts/tests/fuzz.sh", 450)
     keep("fuzz", provenance() + rows(ROOT / "build-fuzz/fuzz.csv"), None)
-    keep("damaged_cases", provenance() + output(ROOT / "verification/fuzz/damaged_cases.py", gasjet(), ".", 10000, cwd=ROOT).replace("\t", ","), None)
+    for what, number in ("damaged_cases", 10000), ("damaged_decks", 5000):
+        keep(what, provenance() + output(ROOT / f"verification/fuzz/{what}.py", gasjet(), ".", number, cwd=ROOT).replace("\t", ","), None)
 
 
 def frames():
