@@ -188,6 +188,9 @@ def test_import_of_chambers():
     refused_deck("chambers that exchange gas", deck(300.0), "cube_0000.rad", "--bag 1")
     refused_deck("starts in another state", deck(310.0), "cube_0000.rad", "--merge-chambers")
     case = taken(deck(300.0), "cube_0000.rad", "--merge-chambers")
+    report = json.loads(read("case/import.json"))
+    assert report["counts"].pop("cards") == sum(report["counts"].values())
+    assert [card["mapping"] for card in report["cards"] if card["card"].startswith("/MONVOL")] == ["exact", "exact"]
     assert "null_panels" not in case and "2 elements between them are left out" in read("case/import.md")
     assert case.count("[[inflator]]") == 2 and case.count("[[vent]]") == 1 and case.count("[[gas.species]]") == 1
     mesh = [tuple(map(float, line.split()[1:])) for line in read("case/bag.obj").splitlines() if line.startswith("v ")]
