@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """A cube of fabric in a few cards, as an LS-DYNA keyword deck and as a Radioss starter deck, in kg, mm and ms."""
+import json
+import re
+from pathlib import Path
+
+from command import expect, ok, read
 
 CORNERS = [(x, y, z) for z in (0, 100) for y in (0, 100) for x in (0, 100)]
 FACES = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
@@ -44,3 +49,29 @@ def radioss(more="", faces=FACES, vent=200.0):
 
 def engine(end=20.0):
     return f"/RUN/cube/1\n{end}\n/TFILE/4\n0.1\n"
+
+
+def write(text, name="cube.k"):
+    Path(name).write_text(text, encoding="utf-8")
+    if name.endswith("_0000.rad"):
+        Path(name.replace("_0000", "_0001")).write_text(engine(), encoding="utf-8")
+    return name
+
+
+def taken(text, name="cube.k", words="", out="case"):
+    """The case of a deck as text, after a check that it runs."""
+    ok(f"import {write(text, name)} --out {out} {words}")
+    case = next(Path(out).glob("*.toml"))
+    ok(f"check {case}")
+    return re.sub(r"(?m) *#.*$", "", read(case))
+
+
+def refused_deck(pattern, text, name="cube.k", words=""):
+    """No case, but a report that names the card."""
+    expect(2, pattern, f"import {write(text, name)} --out refused {words}")
+    assert not list(Path("refused").glob("*.toml"))
+    assert "## refused" in read("refused/import.md") and not json.loads(read("refused/import.json"))["written"]
+
+
+def value(case, key):
+    return float(re.search(rf"(?m)^{key} = ([-0-9.e+]+)", case)[1])
