@@ -75,16 +75,16 @@ Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Impactor&
 
 void require_outside(const Triangles& triangles, const Nodes& nodes, const Impactor& impactor,
                      const Pose& pose) {
-  detail::require_finite("pendulum.impactor: centre", pose.centre);
+  detail::require_finite("impactor.centre", pose.centre);
   const Gap gap = smallest_gap(triangles, nodes, impactor, pose);
   if (gap.distance < -1e-9 * size_of(impactor))
-    detail::reject("pendulum.impactor",
+    detail::reject("impactor",
                    "reaches " + detail::text(-gap.distance) + " m into the skin at element " +
                        std::to_string(gap.element),
                    "outside the skin at the start");
   const double winding = winding_number(triangles, nodes, pose.centre);
   if (std::abs(winding) > 0.5)
-    detail::reject("pendulum.impactor",
+    detail::reject("impactor",
                    "a body whose centre, " + detail::text(pose.centre) + " m, lies inside the bag",
                    "outside the bag at the start");
 }

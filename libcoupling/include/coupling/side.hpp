@@ -30,7 +30,7 @@ struct Gap {
 Gap smallest_gap(const Triangles& triangles, const Nodes& nodes, const Impactor& impactor, const Pose& pose);
 
 /// Checks that an impactor is outside a closed surface, with an overlap of at most 1e-9 of its size, the
-/// round-off of placing it in touch (K.24). If not, throws std::invalid_argument that names pendulum.impactor
+/// round-off of placing it in touch (K.24). If not, throws std::invalid_argument that names impactor
 /// and the element. Otherwise throws as smallest_gap does.
 void require_outside(const Triangles& triangles, const Nodes& nodes, const Impactor& impactor,
                      const Pose& pose);
