@@ -11,8 +11,6 @@ Prints a table by class as tab-separated values. Exit 1 if an input ends otherwi
 """
 
 import argparse
-import collections
-import concurrent.futures
 import csv
 import json
 import math
@@ -23,6 +21,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+from damaged_inputs import tally
 
 PATIENCE = 20.0  # [s] until a run is asked to end, and then again until it must have ended
 NUMBER = re.compile(r"(?<![\w.\"])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?(?![\w.])")
@@ -228,22 +228,10 @@ def main():
             if wrong and options.keep:
                 options.keep.mkdir(parents=True, exist_ok=True)
                 shutil.copy(case, options.keep / f"{options.seed}_{index}.toml")
-        return name, outcome, wrong, index
+        return name, outcome, wrong, f"{options.seed}_{index}"
 
-    counts = collections.Counter()
-    failures = []
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for name, outcome, wrong, index in pool.map(work, range(options.number)):
-            counts[name, "wrong" if wrong else outcome] += 1
-            if wrong:
-                failures.append(f"input {options.seed}_{index} ({name}): {wrong}")
-    outcomes = ["done", "refused with place", "refused by file", "stopped", "ended on request", "wrong"]
-    print("\t".join(["class", "inputs", *outcomes]))
-    for name in [*CLASSES, "all"]:
-        row = [sum(n for (c, o), n in counts.items() if name in (c, "all") and o == outcome) for outcome in outcomes]
-        print("\t".join(map(str, [name, sum(row), *row])))
-    print("\n".join(failures), file=sys.stderr)
-    return 1 if failures else 0
+    return tally(work, options.number, options.jobs, CLASSES,
+                 ["done", "refused with place", "refused by file", "stopped", "ended on request", "wrong"])
 
 
 if __name__ == "__main__":

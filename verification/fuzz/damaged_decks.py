@@ -12,8 +12,6 @@ counts there add up. Prints a table by class as tab-separated values. Exit 1 if 
 
 import argparse
 import bisect
-import collections
-import concurrent.futures
 import json
 import pathlib
 import random
@@ -22,6 +20,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+from damaged_inputs import tally
 
 PATIENCE = 5.0  # [s]
 CASES = ["flattened_sphere", "strapped_sphere", "bag_leak_table", "measured_fabric", "bag_from_files", "contact_vent", "clamped_disc"]
@@ -244,22 +244,9 @@ def main():
                 if wrong and options.keep:
                     options.keep.mkdir(parents=True, exist_ok=True)
                     shutil.copy(deck, options.keep / f"{options.seed}_{index}_{path.name}")
-            return name, outcome, wrong, index
+            return name, outcome, wrong, f"{options.seed}_{index}"
 
-        counts = collections.Counter()
-        failures = []
-        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-            for name, outcome, wrong, index in pool.map(work, range(options.number)):
-                counts[name, "wrong" if wrong else outcome] += 1
-                if wrong:
-                    failures.append(f"input {options.seed}_{index} ({name}): {wrong}")
-    outcomes = ["case", "refused", "wrong"]
-    print("\t".join(["class", "inputs", *outcomes]))
-    for name in [*CLASSES, "all"]:
-        row = [sum(n for (c, o), n in counts.items() if name in (c, "all") and o == outcome) for outcome in outcomes]
-        print("\t".join(map(str, [name, sum(row), *row])))
-    print("\n".join(failures), file=sys.stderr)
-    return 1 if failures else 0
+        return tally(work, options.number, options.jobs, CLASSES, ["case", "refused", "wrong"])
 
 
 if __name__ == "__main__":
