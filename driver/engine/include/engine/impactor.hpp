@@ -10,13 +10,14 @@ namespace driver {
 /// Its place at the start.
 coupling::Pose impactor_start(const Scene& scene);
 
-/// How far it may be on its way.
+/// Where it is, and how far it has turned.
 struct ImpactorMotion {
   coupling::Pose pose;                             // at level n
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();  // [rad] since the last level
-  double speed = 0.0;                              // [m/s] of its fastest point, at n-1/2
 };
 ImpactorMotion impactor_motion(const Scene& scene, const State& state);
+/// [m/s] Speed of its fastest point, at n-1/2.
+double impactor_speed(const Scene& scene, const State& state);
 
 /// [m] Farthest point of the shape from its centre; 0 for what looks the same however it turns.
 double turning_reach(const coupling::Impactor& shape);

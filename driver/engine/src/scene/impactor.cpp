@@ -42,18 +42,23 @@ Pose impactor_start(const Scene& scene) {
 }
 
 ImpactorMotion impactor_motion(const Scene& scene, const State& state) {
-  const double reach = turning_reach(scene.impactor);
   if (scene.pendulum) {
     // The central difference turned the pendulum by this since the last level.
-    const coupling::PendulumParameters& p = scene.pendulum->model.parameters();
     const coupling::PendulumState& motion = state.pendulum->motion;
-    return {on_pendulum(scene, motion.angle), state.step.before * motion.angular_velocity * p.axis,
-            (p.impactor_distance + reach) * std::abs(motion.angular_velocity)};
+    return {on_pendulum(scene, motion.angle),
+            state.step.before * motion.angular_velocity * scene.pendulum->model.parameters().axis};
   }
   const coupling::RigidBodyState& motion = state.body->motion;
-  const Vector3d spin = scene.body->model.angular_velocity(motion);
-  return {
-      {motion.centre, motion.axes}, state.step.before * spin, motion.velocity.norm() + reach * spin.norm()};
+  return {{motion.centre, motion.axes}, state.step.before * scene.body->model.angular_velocity(motion)};
+}
+
+double impactor_speed(const Scene& scene, const State& state) {
+  const double reach = turning_reach(scene.impactor);
+  if (scene.pendulum)
+    return (scene.pendulum->model.parameters().impactor_distance + reach) *
+           std::abs(state.pendulum->motion.angular_velocity);
+  const coupling::RigidBodyState& motion = state.body->motion;
+  return motion.velocity.norm() + reach * scene.body->model.angular_velocity(motion).norm();
 }
 
 double impactor_mass(const Scene& scene) {

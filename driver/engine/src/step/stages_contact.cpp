@@ -25,7 +25,7 @@ double motion_ahead(const Scene& scene, const State& state) {
   membrane::StiffnessShares others = state.step.shares;
   others.contact = 0.0;
   if (!(others.total() > 0.0)) return 0.0;  // before the first step
-  const double speed = std::sqrt(state.bag->advance.max_speed_squared) + impactor_motion(scene, state).speed;
+  const double speed = std::sqrt(state.bag->advance.max_speed_squared) + impactor_speed(scene, state);
   return 2.0 * speed * membrane::critical_time_step(others);
 }
 
@@ -54,11 +54,12 @@ coupling::ContactResult evaluate(const Scene& scene, State& state, const Impacto
 }
 
 // A pendulum's path is an arc, of which contact tests the chord.
-void require_followed(const Scene& scene, const State& state, const ImpactorMotion& now) {
+void require_followed(const Scene& scene, const State& state) {
   if (state.pendulum)
     return scene.pendulum->model.require_followed(state.step.before *
                                                   state.pendulum->motion.angular_velocity);
-  const double path = state.step.before * now.speed, half = 0.5 * coupling::size_of(scene.impactor);
+  const double path = state.step.before * impactor_speed(scene, state),
+               half = 0.5 * coupling::size_of(scene.impactor);
   if (!(path <= half))
     throw coupling::ContactError(
         fmt::format("contact: the impactor moves {:.3g} m within one step, the limit is {:.3g} m, "
@@ -103,7 +104,7 @@ void impactor_contact(const Scene& scene, State& state) {
   const double motion = scene.contact ? motion_bound(scene, state, now) : 0.0;
   state.level.impactor = now.pose;
   if (!scene.contact) return;
-  require_followed(scene, state, now);
+  require_followed(scene, state);
   if (scene.contact->stays_clear(*state.contact_cache, motion, motion_ahead(scene, state))) {
     state.contact = {};
     return;
