@@ -8,6 +8,7 @@
 
 #include "bisection.hpp"
 #include "claim.hpp"
+#include "refusal.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -193,15 +194,6 @@ TEST(ContactGuard, bad_input_names_the_field) {
       EXPECT_EQ(std::string(error.what()).rfind(field, 0), 0u) << error.what();
     }
   }
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 TEST(ContactGuard, arrays_of_another_mesh_are_refused) {

@@ -10,6 +10,7 @@
 
 #include "claim.hpp"
 #include "coupling/side.hpp"
+#include "refusal.hpp"
 #include "shapes.hpp"
 
 namespace {
@@ -209,15 +210,6 @@ TEST(ImpactorShape, measures_follow_from_the_dimensions) {
   EXPECT_NEAR(coupling::size_of(sphere), 0.1, 1e-15);
   EXPECT_NEAR(coupling::reach_of(sphere), 0.1, 1e-15);
   EXPECT_NEAR(coupling::section_of(sphere), pi * 0.01, 1e-15);
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 TEST(ImpactorShape, dimensions_and_axes_out_of_range_are_refused) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "membrane/node_order.hpp"
+#include "refusal.hpp"
 #include "scenes.hpp"
 
 using membrane::BagDescription;
@@ -25,15 +26,6 @@ struct BadInput {
   std::function<void(BagDescription&)> spoil;
   std::vector<std::string> named;  // what the message must name
 };
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 void collapse(BagDescription& d) {
   d.reference.col(d.elements(1, 4)) = d.reference.col(d.elements(0, 4));
@@ -130,7 +122,7 @@ TEST(Input, wrong_description_is_refused_by_name) {
   for (std::size_t i = 0; i < kBadInputs.size(); ++i) {
     BagDescription d = good();
     kBadInputs[i].spoil(d);
-    const std::string message = message_of([&] { make_model(d); });
+    const std::string message = refusal([&] { make_model(d); });
     for (const auto& name : kBadInputs[i].named)
       EXPECT_NE(message.find(name), std::string::npos) << "input " << i << ": " << message;
   }
@@ -139,26 +131,24 @@ TEST(Input, wrong_description_is_refused_by_name) {
 TEST(Input, wrong_state_and_stage_arguments_are_refused) {
   const auto model = make_model(good());
   Eigen::Matrix3Xd x = model.description.reference;
-  EXPECT_NE(message_of([&] { membrane::make_state(model, x.leftCols(41)); }).find("41"), std::string::npos);
+  EXPECT_NE(refusal([&] { membrane::make_state(model, x.leftCols(41)); }).find("41"), std::string::npos);
   x(2, 5) = kNaN;
-  EXPECT_NE(message_of([&] { membrane::make_state(model, x); }).find("node 5"), std::string::npos);
+  EXPECT_NE(refusal([&] { membrane::make_state(model, x); }).find("node 5"), std::string::npos);
   auto state = membrane::make_state(model, model.description.reference);
-  EXPECT_NE(message_of([&] { membrane::advance(model, state, 1e-5, 0.0); }).find("dt_after"),
-            std::string::npos);
-  EXPECT_NE(message_of([&] { membrane::advance(model, state, -1e-5, 1e-5); }).find("dt_before"),
+  EXPECT_NE(refusal([&] { membrane::advance(model, state, 1e-5, 0.0); }).find("dt_after"), std::string::npos);
+  EXPECT_NE(refusal([&] { membrane::advance(model, state, -1e-5, 1e-5); }).find("dt_before"),
             std::string::npos);
   const std::vector<double> dp(80, 0.0);
-  EXPECT_NE(message_of([&] { membrane::jet_forces(model, state, dp); }).find("LoadKinds"), std::string::npos);
-  EXPECT_NE(message_of([&] { membrane::update_geometry(model, state); }).find("LoadKinds"),
-            std::string::npos);
+  EXPECT_NE(refusal([&] { membrane::jet_forces(model, state, dp); }).find("LoadKinds"), std::string::npos);
+  EXPECT_NE(refusal([&] { membrane::update_geometry(model, state); }).find("LoadKinds"), std::string::npos);
   auto jet_state = membrane::make_state(model, model.description.reference, {.jet = true});
   const std::vector<int> absent{3, 80};
   const std::vector<membrane::JetLoad> loads{{dp, absent}};
-  EXPECT_NE(message_of([&] { membrane::jet_forces(model, jet_state, loads); }).find("element = 80"),
+  EXPECT_NE(refusal([&] { membrane::jet_forces(model, jet_state, loads); }).find("element = 80"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { membrane::update_geometry(model, jet_state, absent); }).find("element = 80"),
+  EXPECT_NE(refusal([&] { membrane::update_geometry(model, jet_state, absent); }).find("element = 80"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { element_response(model, state, 80); }).find("80"), std::string::npos);
+  EXPECT_NE(refusal([&] { element_response(model, state, 80); }).find("80"), std::string::npos);
 }
 
 // Of another model, or of none: every stage compares sizes before it reads.
@@ -191,11 +181,11 @@ TEST(Input, state_of_another_model_is_refused) {
                                     [&](auto& s) { membrane::governing_element(model, s); }};
   auto own = membrane::make_state(model, model.description.reference, loads);
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    EXPECT_EQ(message_of([&] { stages[i](own); }), "accepted") << i;
+    EXPECT_EQ(refusal([&] { stages[i](own); }), "accepted") << i;
     for (auto foreign :
          {membrane::BagState(), membrane::make_state(finer, finer.description.reference, loads),
           membrane::make_state(damped, d.reference, loads)})
-      EXPECT_NE(message_of([&] { stages[i](foreign); }).find("make_state"), std::string::npos) << i;
+      EXPECT_NE(refusal([&] { stages[i](foreign); }).find("make_state"), std::string::npos) << i;
   }
 }
 
@@ -203,7 +193,7 @@ TEST(Input, node_order_refuses_a_number_of_no_node) {
   Eigen::Matrix3Xi elements = good().elements;
   for (const int wrong : {-1, 42}) {
     elements(2, 7) = wrong;
-    EXPECT_NE(message_of([&] { membrane::node_order(elements, 42); }).find("node_order: node number"),
+    EXPECT_NE(refusal([&] { membrane::node_order(elements, 42); }).find("node_order: node number"),
               std::string::npos);
   }
 }
