@@ -17,7 +17,7 @@
   concepts      drawings of what words say poorly
   unfolding     layers of a bag that starts folded, at six times; needs matplotlib
   examples      pictures that the programs of docs/examples draw; needs a build with bindings, scipy and matplotlib
-  forecast, detection, ablation and the work-precision charts: see forecast.py, detection.py, ablation.py and benchmarks.py in
+  forecast, detection, heat_loss, ablation and the work-precision charts: see the programs of these names and benchmarks.py in
                 docs/make/charts
 Runs that results/studies has are not computed again. GASJET names the program."""
 import argparse
@@ -34,6 +34,7 @@ import benchmarks  # noqa: E402
 import decay  # noqa: E402
 import detection  # noqa: E402
 import forecast  # noqa: E402
+import heat_loss  # noqa: E402
 import limits  # noqa: E402
 import studies  # noqa: E402
 from common import draw, gasjet, gnuplot_file, machine, build_version, output, provenance  # noqa: E402
@@ -206,6 +207,10 @@ def detections():
     keep("detection", provenance() + "".join(line + "\n" for line in detection.lines(THREADS)), None)
 
 
+def heat_losses():
+    keep("heat_loss", provenance() + "".join(line + "\n" for line in heat_loss.lines()), None)
+
+
 def ablations():
     keep("jet_ablation", ablation.text(), None)
 
@@ -218,7 +223,7 @@ def benchmark(name):
 # ---
 
 CHARTS = {**{name: ladder for name in LADDERS}, **{name: benchmark for name in benchmarks.CHARTS}, "forecast": forecasts, "detection": detections,
-          "ablation": ablations, **{chart.__name__: chart for chart in (ladders, jet_cost, jet_effect, figure_3, jet_decay, jet_push, damaged, frames,
+          "heat_loss": heat_losses, "ablation": ablations, **{chart.__name__: chart for chart in (ladders, jet_cost, jet_effect, figure_3, jet_decay, jet_push, damaged, frames,
                                                                         concepts, unfolding, examples)}}
 PLANS = sorted(plan.stem for plan in ROOT.glob("cases/studies/*.toml"))
 

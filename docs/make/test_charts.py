@@ -38,6 +38,17 @@ def test_studies():
                                                                        "gas,euler 1e-4,angle,0.5,0.45,0.03,1,0.1,0.1"]
 
 
+def test_tolerances(tmp_path):
+    """A row for each quantity, of two files."""
+    (tmp_path / "spread.csv").write_text("# status: done\nquantity,statistic,limit,value,low,high,points,runs,left_out\n"
+                                         "a,mean,,2,,,9,9,0\na,standard_deviation,,0.5,,,9,9,0\na,percentile_5,,1,,,9,9,0\n"
+                                         "a,percentile_95,,3,,,9,9,0\na,chance_above,2.5,0.1,,,9,9,0\n", encoding="utf-8")
+    (tmp_path / "effects.csv").write_text("quantity,factor,share,share_low,share_high,change_per_deviation\na,flow,0.75,,,1\na,delay,0.1234,,,1\n",
+                                          encoding="utf-8")
+    assert studies.table("inflator_tolerances", tmp_path) == ["quantity,mean,standard_deviation,percentile_5,percentile_95,flow_share,delay_share,runs",
+                                                              "a,2,0.5,1,3,0.75,0.123,9"]
+
+
 def test_decay():
     """Off by 10 and -10 % within the range, and by much outside of it. At the outlet's velocity the width is sqrt(ln 2 / 2) diameters."""
     assert decay.off({1: 9, 2: 1.1, 3: 0.45, 4: 0}, {1: 1, 2: 1, 3: 0.5, 4: 1}, 2, 3) == pytest.approx(0.1)

@@ -143,7 +143,21 @@ def speed_accuracy(means, timing):
                    f"{minute},{math.sqrt(bias ** 2 + scatter ** 2 / minute):.4g}")
 
 
+def inflator_tolerances(folder):
+    """A row for each quantity: its spread, and the share of the variance that each factor explains alone."""
+    spread, effects = rows_of(folder / "spread.csv"), rows_of(folder / "effects.csv")
+    factors = list(dict.fromkeys(row["factor"] for row in effects))
+    statistics = ("mean", "standard_deviation", "percentile_5", "percentile_95")
+    yield ",".join(["quantity", *statistics, *(f"{factor}_share" for factor in factors), "runs"])
+    for quantity in dict.fromkeys(row["quantity"] for row in effects):
+        values = {row["statistic"]: row for row in spread if row["quantity"] == quantity}
+        shares = {row["factor"]: row["share"] for row in effects if row["quantity"] == quantity}
+        yield ",".join([quantity, *(f"{float(values[name]['value']):.5g}" for name in statistics),
+                        *(f"{float(shares[factor]):.3g}" for factor in factors), values["mean"]["runs"]])
+
+
 PLANS = {plan.__name__: plan for plan in (jet_map, ensemble_convergence, impulse_limits, first_contact_seed, mesh_parts, weave, runs_needed)}
+SPREADS = {plan.__name__: plan for plan in (inflator_tolerances,)}
 TIMED = {plan.__name__: plan for plan in (coupled_work_precision, speed_accuracy)}
 
 
@@ -151,6 +165,8 @@ def table(name, folder):
     """The lines of the table of a study in this folder."""
     if name in PLANS:
         return list(PLANS[name](rows_of(folder / "means.csv")))
+    if name in SPREADS:
+        return list(SPREADS[name](folder))
     if name in TIMED:
         return list(TIMED[name](rows_of(folder / "means.csv"), rows_of(folder / "timing.csv")))
     file = folder / ("sobol.csv" if name == "what_to_measure" else "means.csv")
