@@ -11,45 +11,16 @@
 #include "claim.hpp"
 #include "closed_form/membrane.hpp"
 #include "closed_form/weave.hpp"
+#include "half_cylinder.hpp"
 #include "mesh/icosphere.hpp"
 #include "run_case.hpp"
 
 namespace {
 
+using coupled::half_cylinder, coupled::kHalfLength, coupled::kHalfRadius;
 using std::numbers::pi;
 
-constexpr double kHalfRadius = 0.15, kHalfLength = 0.3, kOutside = 101325.0;  // [m], [Pa]
-
-// Half a cylinder as in cases/half_cylinder.obj, with n cells around it.
-std::string half_cylinder(int n) {
-  const int along = n / 2;
-  std::string text;
-  for (int j = 0; j <= along; ++j)
-    for (int i = 0; i <= n; ++i) {
-      const double angle = pi * (static_cast<double>(i) / n - 0.5);
-      text += fmt::format("v {} {} {}\n", i == 0 || i == n ? 0.0 : kHalfRadius * std::cos(angle),
-                          kHalfRadius * std::sin(angle), kHalfLength * j / along);
-    }
-  const auto node = [&](int i, int j) { return 1 + i + j * (n + 1); };
-  const auto face = [&](int a, int b, int c) { text += fmt::format("f {} {} {}\n", a, b, c); };
-  text += "g skin\n";
-  for (int j = 0; j < along; ++j)
-    for (int i = 0; i < n; ++i) {
-      face(node(i, j), node(i + 1, j), node(i + 1, j + 1));
-      face(node(i, j), node(i + 1, j + 1), node(i, j + 1));
-    }
-  text += "g wall\n";
-  for (int j = 0; j < along; ++j) {
-    face(node(n, j), node(0, j), node(0, j + 1));
-    face(node(n, j), node(0, j + 1), node(n, j + 1));
-  }
-  text += "g ends\n";
-  for (int i = 1; i < n; ++i) {
-    face(node(0, 0), node(i + 1, 0), node(i, 0));
-    face(node(0, along), node(i, along), node(i + 1, along));
-  }
-  return text;
-}
+constexpr double kOutside = 101325.0;  // [Pa]
 
 // At the pressure at rest, the volume over that of half a cylinder of fixed length, less 1.
 double volume_error(const coupled::CaseRun& run) {
@@ -64,7 +35,7 @@ double volume_error(const coupled::CaseRun& run) {
 // The meshes and the case in a folder of their own.
 coupled::CaseRun run_half(const std::string& name, int n, std::optional<driver::Scene>& scene) {
   const coupled::Folder folder;
-  std::ofstream(folder.path / "half_cylinder.obj") << half_cylinder(n);
+  std::ofstream(folder.path / "half_cylinder.obj") << half_cylinder(n, n / 2);
   for (const char* ending : {".toml", ".csv"}) {
     const auto file = coupled::fs::path(coupled::case_file(name)).replace_extension(ending);
     if (coupled::fs::exists(file)) coupled::fs::copy_file(file, folder.path / (name + ending));
@@ -159,7 +130,7 @@ TEST(roller, faults_are_named) {
 // Numbers count the nodes of the file, also if elements without area leave some of them out.
 TEST(roller, nodes_by_number_are_those_of_the_file) {
   const coupled::Folder folder;
-  std::string text = half_cylinder(8);
+  std::string text = half_cylinder(8, 4);
   // A node above all others, and a triangle that repeats the place of a corner: it goes, and the node with
   // it.
   const std::string first = text.substr(0, text.find('\n') + 1);

@@ -15,6 +15,7 @@ double gas_stiffness(double gamma, double pressure, double area, double volume) 
   return gamma * pressure * area * area / volume;
 }
 
+// (K.60) with the contact in series where a body drives the piston.
 double piston_frequency(const GasPiston& piston, double gamma) {
   check::positive("mass", piston.mass);
   check::non_negative("stiffness", piston.stiffness);

@@ -141,6 +141,19 @@ std::vector<Entry> coupled() {
           .fields(cylinder(1.5e5))
           .result("angular_frequency_rad_s", gas_piston_frequency)
           .result("isothermal_angular_frequency_rad_s", gas_piston_isothermal_frequency),
+      Form<GasSpring>("gas_spring", "Weight set down on a gas spring at ambient pressure, over its force",
+                      "m v^2/2 = F s - int (p - p_a) S ds, p (V - S s)^gamma = p_a V^gamma; T = 2 int ds/v",
+                      "derived here from the energy integral",
+                      "F > 0; period and depth lose digits below F = 1e-3 p_a S", 11)
+          .fields(heat_capacity_ratio())
+          .field(&GasSpring::mass, "mass", "m", "kg", 20.0, "mass that moves")
+          .field(&GasSpring::area, "area", "S", "m2", 0.03, "area of the piston")
+          .field(&GasSpring::volume, "volume", "V", "m3", 0.009, "gas at the start")
+          .fields(ambient_pressure())
+          .over("force_N", range(50.0, 2000.0, 39))
+          .results(gas_spring, {{"depth_m", &GasSpringSwing::depth},
+                                {"period_s", &GasSpringSwing::period},
+                                {"peak_pressure_Pa", &GasSpringSwing::peak_pressure}}),
       Form<PendulumGasSpring>("pendulum_gas_spring", "Small oscillation of the pendulum on enclosed gas",
                               "omega^2 = (gamma p S^2 L_i^2/V + m g L)/I_O", "derived here by linearisation",
                               "small amplitude", 15)
@@ -174,7 +187,20 @@ std::vector<Entry> coupled() {
                                      {"patch_area_m2", &BalloonPress::patch_area},
                                      {"pole_stretch", &BalloonPress::pole_stretch},
                                      {"strain_energy_J", &BalloonPress::strain_energy},
-                                     {"volume_m3", &BalloonPress::volume}})};
+                                     {"volume_m3", &BalloonPress::volume}}),
+      Form<PressedCylinder>(
+          "pressed_cylinder",
+          "Inflated long cylinder pressed flat between two plates, over half their distance",
+          "F/L = p w; w = pi (lambda R - r); E h lambda (lambda^2-1)/(2 (1-nu^2)) = p r",
+          "derived here (St. Venant-Kirchhoff, plane stress, reference thickness)",
+          "frictionless, fixed length; half distance at most the inflated radius", 14)
+          .fields(sheet(), radius(0.15))
+          .field(&PressedCylinder::overpressure, "overpressure", "p", "Pa", 6000.0, "overpressure")
+          .over("half_distance_m", range(0.05, 0.15, 20))
+          .results(pressed_cylinder, {{"force_per_length_N_m", &CylinderPress::force_per_length},
+                                      {"flat_width_m", &CylinderPress::flat_width},
+                                      {"hoop_stretch", &CylinderPress::hoop_stretch},
+                                      {"volume_per_length_m2", &CylinderPress::volume_per_length}})};
 }
 
 }  // namespace closed_form::entries

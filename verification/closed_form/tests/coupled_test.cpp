@@ -32,6 +32,52 @@ TEST(ClosedFormCoupled, gas_piston_eq_slope_of_the_adiabat) {
   expect_relative(gas_piston_frequency(piston), std::sqrt(stiffness / piston.mass), 1e-9);
 }
 
+TEST(ClosedFormCoupled, gas_spring_eq_reference) {
+  const GasSpringSwing light = gas_spring({{}, 20.0, 0.03, 0.009}, 200.0);
+  expect_relative(light.depth, 0.026217354327571013, 1e-12);
+  expect_relative(light.period, 0.22342614589060728, 1e-12);
+  expect_relative(light.peak_pressure, 115164.35688730425, 1e-12);
+  const GasSpringSwing heavy = gas_spring({{296.8, 5.0 / 3.0}, 5.0, 0.05, 0.06, 9e4}, 2e4);
+  expect_relative(heavy.depth, 1.061049876235483, 1e-12);
+  expect_relative(heavy.period, 0.052705239494079552, 1e-12);
+  expect_relative(heavy.peak_pressure, 3271746.8248345358, 1e-12);
+}
+
+// The period's next term is of the order of the amplitude, F/(2 p_a S): both forms are at the equilibrium.
+TEST(ClosedFormCoupled, gas_spring_swings_like_the_linear_one_if_light) {
+  const auto off = [](double load) {
+    const GasSpring spring{{}, 5.0, 0.05, 0.06};
+    const double force = load * spring.ambient_pressure * spring.area,
+                 p = spring.ambient_pressure * (1 + load);
+    const double volume = spring.volume * std::pow(1 + load, -1 / 1.4);
+    const double linear = gas_piston_frequency({{}, spring.mass, spring.area, volume, p});
+    return gas_spring(spring, force).period * linear / (2 * pi) - 1.0;
+  };
+  EXPECT_LT(std::abs(off(0.04)), 1e-3);
+  EXPECT_NEAR(off(0.04) / off(0.02), 4.0, 0.2);  // of second order, the next term 0.04 of it
+}
+
+TEST(ClosedFormCoupled, pressed_cylinder_has_the_work_of_its_pressure) {
+  const PressedCylinder scene{{paper_fabric(), 0.15}, 6000.0};
+  // Just in touch it is the free cylinder.
+  const double free = 0.15 * fixed_length_cylinder(scene, scene.overpressure).hoop_stretch;
+  const CylinderPress touched = pressed_cylinder(scene, free * (1 - 1e-9));
+  EXPECT_NEAR(touched.flat_width, 0.0, 1e-8);
+  expect_relative(touched.volume_per_length, pi * free * free, 1e-8);
+  // Work of the plates, 2 int F dr, is that of the pressure and what the skin takes up.
+  const auto& sheet = scene.sheet;
+  const auto strain = [&](double stretch) {
+    const double green = 0.5 * (stretch * stretch - 1.0);
+    return pi * 0.15 * sheet.thickness * sheet.young_modulus / (1.0 - 0.09) * green * green;
+  };
+  const CylinderPress a = pressed_cylinder(scene, 0.14), b = pressed_cylinder(scene, 0.08);
+  const auto force = [&](double r) { return 2.0 * pressed_cylinder(scene, r).force_per_length; };
+  expect_relative(
+      test::integrate(force, 0.08, 0.14),
+      6000.0 * (a.volume_per_length - b.volume_per_length) + strain(b.hoop_stretch) - strain(a.hoop_stretch),
+      1e-11);
+}
+
 TEST(ClosedFormCoupled, pendulum_gas_spring_reduces_to_its_parts) {
   PendulumGasSpring scene{{}, paper_pendulum(), 0.01, 0.02, 1.2e5};
   const double both = pendulum_gas_spring_frequency(scene);
@@ -121,6 +167,10 @@ TEST(ClosedFormCoupled, force_on_a_small_patch_eq_pressure_and_tension_over_it) 
 
 TEST(ClosedFormCoupled, bad_parameters_are_refused_by_name) {
   expect_refused([] { gas_piston_frequency({}); }, "mass");
+  expect_refused([] { gas_spring({{}, 20.0, 0.03}, 200.0); }, "volume");
+  expect_refused([] { gas_spring({{}, 20.0, 0.03, 0.009}, 0.0); }, "force");
+  expect_refused([] { pressed_cylinder({{paper_fabric(), 0.15}}, 0.1); }, "overpressure");
+  expect_refused([] { pressed_cylinder({{paper_fabric(), 0.15}, 6e3}, 0.17); }, "half_distance");
   expect_refused([] { pendulum_gas_spring_frequency({{}, paper_pendulum()}); }, "pressure");
   expect_refused([] { sphere_fill({{}, {paper_fabric(), 0.3}}, 1.1); }, "inflow_temperature");
   expect_refused([] { sphere_fill({{}, {paper_fabric(), 0.3}, 1e5, 700.0}, 0.9); }, "stretch");

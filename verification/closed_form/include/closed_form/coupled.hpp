@@ -5,7 +5,8 @@
 #include "closed_form/membrane.hpp"
 #include "closed_form/pendulum.hpp"
 
-/// Closed forms of coupled scenes: gas on a piston, on a pendulum, in an elastic sphere; a pressed balloon.
+/// Closed forms of coupled scenes: gas on a piston, on a pendulum, in an elastic sphere; a pressed balloon
+/// and cylinder.
 /// All functions throw std::invalid_argument, naming the field, for a parameter that is missing or out of
 /// validity.
 namespace closed_form {
@@ -24,6 +25,25 @@ struct GasPiston {
 double gas_piston_frequency(const GasPiston& piston);
 /// The same for isothermal gas, gamma replaced by 1 [rad/s]: the control.
 double gas_piston_isothermal_frequency(const GasPiston& piston);
+
+/// Weight on the piston of a closed cylinder of gas, all at rest, the gas at ambient pressure.
+struct GasSpring {
+  PerfectGas gas;                      // in the cylinder
+  double mass = kRequired;             // [kg] that moves, > 0
+  double area = kRequired;             // [m2] > 0
+  double volume = kRequired;           // [m3] at the start, > 0
+  double ambient_pressure = 101325.0;  // [Pa] > 0
+};
+/// The swing that follows.
+struct GasSpringSwing {
+  double depth = 0.0;          // [m] where the weight turns
+  double period = 0.0;         // [s] until it is back
+  double peak_pressure = 0.0;  // [Pa] absolute, at the depth
+};
+/// Swing, adiabatic, if a constant force [N] > 0 pushes the piston in: m v^2/2 = F s - int (p - p_a) S ds.
+/// The period tends to 2 pi/gas_piston_frequency as the force falls; below 1e-3 p_a S digits go. Source:
+/// derived here from the energy integral.
+GasSpringSwing gas_spring(const GasSpring& spring, double force);
 
 /// Pendulum whose impactor closes a gas cylinder; area, volume and pressure as for the piston.
 struct PendulumGasSpring {
@@ -81,5 +101,21 @@ struct BalloonPress {
 /// where the skin would go slack. Its force is (K.18). Source: derived here (the free skin and the patch as
 /// in W. W. Feng, W.-H. Yang, J. Appl. Mech. 40, 1973).
 BalloonPress pressed_balloon(const PressedBalloon& scene, double patch_angle);
+
+/// Long elastic cylinder of fixed length at constant overpressure, pressed flat between two rigid,
+/// frictionless plates.
+struct PressedCylinder : StretchedCylinder {
+  double overpressure = kRequired;  // [Pa] > 0
+};
+/// State of the pressed cylinder.
+struct CylinderPress {
+  double force_per_length = 0.0;   // [N/m] of each plate, p w
+  double flat_width = 0.0;         // [m] w = pi (lambda R - r) of the skin in touch with a plate
+  double hoop_stretch = 0.0;       // [-] lambda, the same all around
+  double volume_per_length = 0.0;  // [m2] of the section, pi r^2 + 2 r w
+};
+/// State at half of the plates' distance, r [m] > 0: two half circles of the radius r and two flats.
+/// E h lambda (lambda^2 - 1)/(2 (1 - nu^2)) = p r. Refused if the plates do not touch. Source: derived here.
+CylinderPress pressed_cylinder(const PressedCylinder& scene, double half_distance);
 
 }  // namespace closed_form
