@@ -53,6 +53,7 @@ class GasIntegrator::Implementation {
  public:
   Implementation(const ControlVolumeModel& model, const IntegratorOptions& options)
       : model_(validated(model)),
+        options_(options),
         network_(model_.triggers),
         boundary_(model_),
         ledger_(boundary_,
@@ -64,6 +65,9 @@ class GasIntegrator::Implementation {
         inflows_(model_.inflows.size()),
         outflows_(boundary_.slots().streams()),
         backflows_(boundary_.slots().backflows) {}
+
+  const ControlVolumeModel& model() const { return model_; }
+  const IntegratorOptions& options() const { return options_; }
 
   StepFluxes advance(ControlVolumeState& state, double t0, double t1, const VolumePath& path) {
     require_step(state, t0, t1);
@@ -195,6 +199,7 @@ class GasIntegrator::Implementation {
   }
 
   const ControlVolumeModel model_;
+  const IntegratorOptions options_;
   TriggerNetwork network_;
   Boundary boundary_;
   Ledger ledger_;
@@ -208,6 +213,12 @@ class GasIntegrator::Implementation {
 GasIntegrator::GasIntegrator(const ControlVolumeModel& model, const IntegratorOptions& options)
     : implementation_(std::make_unique<Implementation>(model, options)) {}
 
+GasIntegrator::GasIntegrator(const GasIntegrator& other)
+    : implementation_(std::make_unique<Implementation>(other.implementation_->model(),
+                                                       other.implementation_->options())) {}
+GasIntegrator& GasIntegrator::operator=(const GasIntegrator& other) {
+  return *this = GasIntegrator(other);
+}
 GasIntegrator::~GasIntegrator() = default;
 GasIntegrator::GasIntegrator(GasIntegrator&&) noexcept = default;
 GasIntegrator& GasIntegrator::operator=(GasIntegrator&&) noexcept = default;

@@ -100,9 +100,11 @@ class GasIntegrator {
   /// Copies the model and allocates all that advance() needs. Throws std::invalid_argument for a bad model or
   /// option.
   explicit GasIntegrator(const ControlVolumeModel& model, const IntegratorOptions& options = {});
+  GasIntegrator(const GasIntegrator& other);             // an integrator of the same model and options
+  GasIntegrator& operator=(const GasIntegrator& other);  // likewise
   ~GasIntegrator();
-  GasIntegrator(GasIntegrator&&) noexcept;
-  GasIntegrator& operator=(GasIntegrator&&) noexcept;
+  GasIntegrator(GasIntegrator&&) noexcept;             // leaves `other` without a model
+  GasIntegrator& operator=(GasIntegrator&&) noexcept;  // likewise
 
   /// Advances `state` from t0 to t1 > t0 [s]. Does not allocate. On an exception `state` is unchanged.
   /// - Throws std::invalid_argument for times that are not finite or t1 <= t0, and for a state with other

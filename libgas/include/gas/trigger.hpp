@@ -16,7 +16,7 @@ enum class SensorKind {
   time,      // on from the time `threshold` [s]
   signal,    // on while the signal is at or above `threshold`
   pressure,  // on from when p - p_a reaches `threshold` [Pa]; off below `reset`, if given
-  input,     // set by the caller between steps (contact); takes effect at the next step
+  input,     // set by the caller between steps; takes effect at the next step
 };
 
 /// A node that watches one quantity.

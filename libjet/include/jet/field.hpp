@@ -40,6 +40,11 @@ class JetField {
   /// surface, and an element index out of range.
   JetField(const JetModel& model, int element_count, std::span<const int> null_elements = {});
 
+  /// The field of the same jet at another place; `long_direction` as in JetModel. States of this field serve
+  /// it if their displacement_bound is set to kMotionUnknown. Throws as the constructor.
+  JetField placed(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis,
+                  const Eigen::Vector3d& long_direction) const;
+
   const JetModel& model() const { return model_; }  // the model, with axis and long direction normalised
   FieldState make_state() const;                    // sized for the surface, all zero
 
@@ -71,6 +76,7 @@ class JetField {
                 double displacement_bound = kMotionUnknown) const;
 
  private:
+  void set_model(const JetModel& model);
   void take_no_load(int element);
   void require_own(const FieldState& state) const;
   void widen(const OutletState& outlet, FieldState& state) const;

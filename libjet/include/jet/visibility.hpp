@@ -82,11 +82,11 @@ class VisibilityQuery {
   /// Throws std::invalid_argument for an empty mesh, a node index outside [0, node_count), and a role's
   /// element index out of range.
   VisibilityQuery(const Triangles& triangles, int node_count, const SurfaceRoles& roles = {});
-  /// A fresh query on the same surface. It shares the mesh but no data of earlier queries.
-  VisibilityQuery another() const;
-  ~VisibilityQuery();
-  VisibilityQuery(VisibilityQuery&&) noexcept;
-  VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
+  VisibilityQuery(const VisibilityQuery& other);             // shares the mesh but no data of earlier queries
+  VisibilityQuery& operator=(const VisibilityQuery& other);  // likewise
+  VisibilityQuery(VisibilityQuery&& other) noexcept;         // leaves `other` without a mesh
+  VisibilityQuery& operator=(VisibilityQuery&& other) noexcept;  // likewise
+  ~VisibilityQuery();                                            // frees its workspace
 
   /// Sets lit[k] to 1 if candidates[k] is lit, else to 0. `nodes` [m] is 3 x node_count.
   ///
@@ -113,7 +113,6 @@ class VisibilityQuery {
 
  private:
   struct Impl;
-  VisibilityQuery();
   std::unique_ptr<Impl> impl_;
 };
 

@@ -109,7 +109,8 @@ void set_cut(const JetModel& model, JetShape& shape) {
 }  // namespace
 
 JetField::JetField(const JetModel& model, int element_count, std::span<const int> null_elements)
-    : model_(validated(model)), element_count_(element_count) {
+    : element_count_(element_count) {
+  set_model(model);
   if (element_count < 1) throw std::invalid_argument("jet field surface has no element, allowed: 1 or more");
   loaded_.assign(static_cast<std::size_t>(element_count + 3) / 4, 0xf);
   for (int i = element_count; i % 4 != 0; ++i) take_no_load(i);
@@ -120,9 +121,24 @@ JetField::JetField(const JetModel& model, int element_count, std::span<const int
     }
     take_no_load(element);
   }
+}
+
+void JetField::set_model(const JetModel& model) {
+  model_ = validated(model);
   JetShape shape = outline(model_);
   set_cut(model_, shape);
   shape_ = std::make_unique<const JetShape>(shape);
+}
+
+JetField JetField::placed(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis,
+                          const Eigen::Vector3d& long_direction) const {
+  JetModel model = model_;
+  model.centre = centre;
+  model.axis = axis;
+  model.long_direction = long_direction;
+  JetField field = *this;
+  field.set_model(model);
+  return field;
 }
 
 // The jets of all outlets are similar: no bound of the cut-off moves by more than that of the core.

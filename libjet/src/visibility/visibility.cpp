@@ -144,17 +144,15 @@ VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, con
   impl_->prepare();
 }
 
-VisibilityQuery::VisibilityQuery() = default;
-
-VisibilityQuery VisibilityQuery::another() const {
-  VisibilityQuery query;
-  const Impl& i = *impl_;
-  query.impl_ =
+VisibilityQuery::VisibilityQuery(const VisibilityQuery& other) {
+  const Impl& i = *other.impl_;
+  impl_ =
       std::make_unique<Impl>(Impl{i.node_count, i.closed, i.triangles, i.roles, i.used, i.copy, i.mesh, {}});
-  query.impl_->prepare();
-  return query;
+  impl_->prepare();
 }
-
+VisibilityQuery& VisibilityQuery::operator=(const VisibilityQuery& other) {
+  return *this = VisibilityQuery(other);
+}
 VisibilityQuery::~VisibilityQuery() = default;
 VisibilityQuery::VisibilityQuery(VisibilityQuery&&) noexcept = default;
 VisibilityQuery& VisibilityQuery::operator=(VisibilityQuery&&) noexcept = default;
