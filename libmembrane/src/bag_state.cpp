@@ -43,8 +43,9 @@ void check_state(const BagModel& model, const BagState& s) {
       all(true, nodes, {&s.position, &s.velocity, &s.volume_gradient, &s.membrane_force}) &&
       all(jet, nodes, {&s.jet_force}) && all(jet, elements, {&s.area_vector, &s.centroid}) &&
       all(!s.contact_force.empty(), nodes, {&s.contact_force}) &&
+      all(!s.own_force.empty(), nodes, {&s.own_force}) &&
       all(!d.straps.empty() || !d.plates.empty(), nodes, {&s.support_force}) &&
-      all(damped, nodes, {&s.viscous_force}) && all(damped, elements, {&s.elastic_stress}) &&
+      all(damped, nodes, {&s.viscous.force}) && all(damped, elements, {&s.viscous.elastic_stress}) &&
       std::ssize(s.rate_bound_squared) == rate_chunks(model) &&
       std::ssize(s.strap_tension) == std::ssize(d.straps) && std::ssize(s.share_demand) == elements &&
       s.shares.frequency.size() == model.elements.group.size() &&
@@ -71,9 +72,9 @@ BagState make_state(const BagModel& model, ConstVectorsRef position, LoadKinds l
   if (loads.contact) s.contact_force = Vectors(nodes);
   if (!d.straps.empty() || !d.plates.empty()) s.support_force = Vectors(nodes);
   if (d.stiffness_damping > 0.0) {
-    s.viscous_force = Vectors(nodes);
-    s.elastic_stress = Vectors(elements);
-    s.viscous_corner_force = Vectors(2 * elements);
+    s.viscous.force = Vectors(nodes);
+    s.viscous.elastic_stress = Vectors(elements);
+    s.viscous.corner_force = Vectors(2 * elements);
   }
   s.rate_bound_squared.assign(static_cast<std::size_t>(rate_chunks(model)), 0.0);
   s.strap_tension.assign(d.straps.size(), 0.0);

@@ -52,7 +52,7 @@ struct SharedArrays {
   double *force, *gradient;    // nodes x 4
 };
 
-inline constexpr int kMaxExtraForces = 4;
+inline constexpr int kMaxExtraForces = 5;
 inline constexpr int kRateNodes = 16;  // nodes with a common bound of the rate of deformation
 
 struct AdvanceArrays {

@@ -26,8 +26,8 @@ ExtraForces extra_forces(const BagState& state) {
   ExtraForces extra;
   for (const ExtraForce& candidate :
        {ExtraForce{&state.jet_force, &KickWork::jet}, ExtraForce{&state.support_force, &KickWork::support},
-        ExtraForce{&state.contact_force, &KickWork::contact},
-        ExtraForce{&state.viscous_force, &KickWork::damping}})
+        ExtraForce{&state.contact_force, &KickWork::contact}, ExtraForce{&state.own_force, &KickWork::own},
+        ExtraForce{&state.viscous.force, &KickWork::damping}})
     if (!candidate.force->empty()) extra.item[extra.count++] = candidate;
   return extra;
 }
@@ -59,7 +59,7 @@ void add(AdvanceSums& sums, const AdvanceSums& block) {
   sums.impulse += block.impulse;
   sums.max_speed_squared = std::max(sums.max_speed_squared, block.max_speed_squared);
   for (const auto term : {&KickWork::membrane, &KickWork::pressure, &KickWork::jet, &KickWork::support,
-                          &KickWork::contact, &KickWork::damping})
+                          &KickWork::contact, &KickWork::own, &KickWork::damping})
     sums.work.*term += block.work.*term;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 // The force at corner b of element e is column 2 e, at c column 2 e + 1; at a it is minus their sum.
 Eigen::Vector3d force_at(const BagModel& model, const BagState& state, int element, int node) {
-  const auto force = state.viscous_corner_force.map();
+  const auto force = state.viscous.corner_force.map();
   const auto corner = model.description.elements.col(element);
   if (corner[1] == node) return force.col(2 * element);
   if (corner[2] == node) return force.col(2 * element + 1);
@@ -24,8 +24,8 @@ Eigen::Vector3d force_at(const BagModel& model, const BagState& state, int eleme
 void viscous_block(const BagModel& model, BagState& state, double dt_before, int block) {
   const double rate = dt_before > 0.0 ? model.description.stiffness_damping / dt_before : 0.0;
   const auto x = state.position.map();
-  auto force = state.viscous_corner_force.map();
-  auto before = state.elastic_stress.map();
+  auto force = state.viscous.corner_force.map();
+  auto before = state.viscous.elastic_stress.map();
   for (int e = block * kNodeBlock; e < std::min((block + 1) * kNodeBlock, model.element_count); ++e) {
     const ElementStiffness& shape = model.stiffness[static_cast<std::size_t>(e)];
     if (shape.volume == 0.0) continue;  // null elements
@@ -45,7 +45,7 @@ void viscous_block(const BagModel& model, BagState& state, double dt_before, int
 }
 
 void viscous_node_block(const BagModel& model, BagState& state, int block) {
-  auto sum = state.viscous_force.map();
+  auto sum = state.viscous.force.map();
   for (int n = block * kNodeBlock; n < std::min((block + 1) * kNodeBlock, model.node_count); ++n) {
     sum.col(n).setZero();
     const auto row = static_cast<std::size_t>(n);

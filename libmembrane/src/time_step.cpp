@@ -112,7 +112,8 @@ double force_mobility(const BagModel& model, const BagState& state) {
   for (int n = 0; n < model.node_count; ++n) {
     Eigen::Vector3d force =
         state.membrane_force.map().col(n) + state.gauge_pressure * state.volume_gradient.map().col(n);
-    for (const Vectors* extra : {&state.jet_force, &state.support_force, &state.contact_force})
+    for (const Vectors* extra :
+         {&state.jet_force, &state.support_force, &state.contact_force, &state.own_force})
       if (!extra->empty()) force += extra->map().col(n);
     const auto inverse_mass = model.inverse_mass.map().col(n);
     const Eigen::Vector3d moving = (inverse_mass.array() > 0.0).select(force, 0.0);

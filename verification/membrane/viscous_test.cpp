@@ -111,18 +111,18 @@ TEST(Viscous, rigid_motion_is_not_damped_and_forces_sum_to_zero) {
   const auto model = make_model(d);
   auto state = membrane::make_state(model, scenes::shaken(1.1 * mesh.nodes, 0.01, 3));
   membrane::viscous_forces(model, state, 0.0);
-  EXPECT_EQ(state.viscous_force.map().norm(), 0.0);
+  EXPECT_EQ(state.viscous.force.map().norm(), 0.0);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
   const Eigen::Matrix3Xd before = state.position.map();
   state.position.map() = (turn * before).colwise() + Eigen::Vector3d(0.1, 0.2, 0.3);
   membrane::viscous_forces(model, state, 1e-5);
   // The stress is of 1e7 Pa, its rate over 1e-5 s from rounding of the strain; h a side 0.5e-3 m x 0.1 m.
   const double rounding = 100.0 * scenes::kEps * 60e6 * kStressLag / 1e-5 * 0.5e-4;
-  EXPECT_LT(state.viscous_force.map().cwiseAbs().maxCoeff(), rounding);
+  EXPECT_LT(state.viscous.force.map().cwiseAbs().maxCoeff(), rounding);
   const Eigen::Matrix3Xd again = state.position.map();
   state.position.map() = scenes::shaken(again, 0.001, 4);
   membrane::viscous_forces(model, state, 1e-5);
-  const Eigen::Matrix3Xd force = state.viscous_force.map();
+  const Eigen::Matrix3Xd force = state.viscous.force.map();
   EXPECT_GT(force.norm(), 1.0);
   EXPECT_LT(force.rowwise().sum().norm(), 1e-12 * force.cwiseAbs().sum());
   EXPECT_LT(force.cwiseProduct(state.position.map() - again).sum(), 0.0);  // it takes energy

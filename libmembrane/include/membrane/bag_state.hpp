@@ -39,10 +39,11 @@ struct KickWork {
   double jet = 0.0;       // work of the jets' overpressure
   double support = 0.0;   // work of straps and plates
   double contact = 0.0;   // work of contact_force
+  double own = 0.0;       // work of own_force
   double gravity = 0.0;   // work of the weight
   double damping = 0.0;   // work of both dampings
   /// Sum of all [J].
-  double total() const { return membrane + pressure + jet + support + contact + gravity + damping; }
+  double total() const { return membrane + pressure + jet + support + contact + own + gravity + damping; }
 };
 
 /// S8: results of one step.
@@ -69,6 +70,13 @@ struct BlockSums {
   AdvanceSums advance;  // sums of a block of nodes
 };
 
+/// Stiffness-proportional damping; empty without it.
+struct ViscousState {
+  Vectors force;           // [N], nodes
+  Vectors elastic_stress;  // (S11, S22, S12) at the last evaluation [Pa], elements
+  Vectors corner_force;    // workspace: at corners b and c [N], 2 x elements
+};
+
 /// State of a bag: everything that changes during a run. Each array has one writer, named on its line.
 /// make_state allocates everything. Arrays of Vectors are padded to 4 doubles a column.
 struct BagState {
@@ -91,12 +99,9 @@ struct BagState {
   Vectors support_force;              // force of straps and plates [N], nodes; empty without them; S3
                                       // support_forces
   std::vector<double> strap_tension;  // [N], straps; S3 support_forces
-  /// Force of the stiffness-proportional damping [N], nodes. This and the next two are empty without it; S3
-  /// viscous_forces.
-  Vectors viscous_force;
-  Vectors elastic_stress;        // (S11, S22, S12) at the last evaluation [Pa], elements; S3 viscous_forces
-  Vectors viscous_corner_force;  // workspace: at corners b and c [N], 2 x elements
-  Vectors contact_force;         // [N], nodes; empty without contact; S4, the caller
+  ViscousState viscous;               // S3 viscous_forces
+  Vectors contact_force;              // [N], nodes; empty without contact; S4, the caller
+  Vectors own_force;  // [N], nodes; empty unless the caller gives it a vector for each node; the caller
   /// Workspace of S3 and S9: partial sums of each block at its shared nodes.
   AlignedVector<NodeSums> shared_sums;
   /// Shares of the nodes' mass, at first those of the model; update_mass_shares.

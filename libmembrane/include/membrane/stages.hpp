@@ -132,7 +132,7 @@ template <class ForEachBlock = Serial>
 void viscous_forces(const BagModel& model, BagState& state, double dt_before,
                     ForEachBlock&& for_each_block = {}) {
   check_state(model, state);
-  if (state.viscous_force.empty()) return;
+  if (state.viscous.force.empty()) return;
   for_each_block(viscous_blocks(model), [&](int block) { viscous_block(model, state, dt_before, block); });
   for_each_block(node_blocks(model), [&](int block) { viscous_node_block(model, state, block); });
 }
