@@ -42,9 +42,7 @@ class Variants {
 
   void contact() {
     if (!scene_.contact) return leave_out(cost_no_contact, "the scene has no contact");
-    if (scene_.gas && std::ranges::any_of(scene_.gas->model.triggers.sensors, [](const gas::Sensor& sensor) {
-          return sensor.kind == gas::SensorKind::input;
-        }))
+    if (scene_.gas && !scene_.gas->contact_sensors.empty())
       return leave_out(cost_no_contact, "a sensor waits for the contact");
     std::vector<std::string> off{
         scene_.pendulum && case_.value("impactor.motion.type").empty() ? "unset pendulum" : "unset impactor",

@@ -50,52 +50,87 @@ void write_summary(ResultFolder& folder, const std::string& text) {
 
 }  // namespace
 
+struct RunFolder::Files {
+  Files(const Scene& the_scene, const std::filesystem::path& path, const Provenance& lines,
+        const RunOptions& the_options)
+      : scene(the_scene), watch(the_options.watch), folder(path, "run") {
+    if (the_options.ready) the_options.ready();
+    folder.begin(lines);
+    folder.write("summary.json", summary_of_running(scene, folder.lines()));
+    const std::string check =
+        the_options.document ? check_file(*the_options.document, scene, folder.run()) : "";
+    if (!check.empty()) folder.write("check.json", check);
+    history.emplace(folder, "history.csv", history_columns(scene));
+    energy.emplace(folder, "energy.csv", energy_columns(scene));
+    progress.emplace(scene.name, scene.time.end, the_options.quiet);
+    if (scene.output.fields_every > 0.0) fields.emplace(folder, scene);
+    if ((scene.bag || scene.target) && scene.output.frames > 0) frames.emplace(folder, scene);
+    checks.emplace(scene);
+  }
+
+  void record(bool recorded, const State& now) {
+    progress->update(now.time, [&] { return reached(now); });
+    if (recorded) {
+      history->write(scene, now);
+      energy->write(scene, now);
+    }
+    if (!scene.output.channel_classes.empty()) accelerations.add(recorded, now);
+    if (watch) watch(recorded, now);
+    history->keep_up();
+    energy->keep_up();
+  }
+
+  const Scene& scene;
+  LevelSink watch;
+  ResultFolder folder;
+  std::optional<CsvWriter> history, energy;
+  std::optional<Progress> progress;
+  std::optional<FieldWriter> fields;
+  std::optional<FrameWriter> frames;
+  AccelerationRecord accelerations;
+  std::optional<SkinChecks> checks;
+};
+
+RunFolder::RunFolder(const Scene& scene, const std::filesystem::path& path, const Provenance& lines,
+                     const RunOptions& options)
+    : files_(std::make_unique<Files>(scene, path, lines, options)) {}
+RunFolder::~RunFolder() = default;
+
+LevelSink RunFolder::sink() {
+  return [&files = *files_](bool recorded, const State& now) { files.record(recorded, now); };
+}
+
+std::vector<LevelView> RunFolder::views() {
+  Files& files = *files_;
+  const OutputPart& output = files.scene.output;
+  std::vector<LevelView> views;
+  if (files.fields)
+    views.push_back(at_multiples(output.fields_every, [&](const State& now) { files.fields->write(now); }));
+  if (files.frames)
+    views.push_back(at_multiples(files.scene.time.end / output.frames,
+                                 [&](const State& now) { files.frames->write(now); }));
+  views.push_back(files.checks->view());
+  return views;
+}
+
+void RunFolder::end(const State& state, RunOutcome& outcome) {
+  Files& files = *files_;
+  ResultFolder& folder = files.folder;
+  files.checks->note(outcome);
+  for (auto* table : {&files.history, &files.energy}) flush(**table, outcome);
+  if (const auto& classes = files.scene.output.channel_classes; !classes.empty())
+    folder.write("accelerations.csv", comment_lines(folder.lines()) + files.accelerations.table(classes));
+  write_summary(folder, summary_text(files.scene, state, outcome, files.checks->found(), folder.lines()));
+  folder.end(status_name(outcome.status));
+}
+
 RunOutcome run_to_folder(const Scene& scene, const std::filesystem::path& path, const Provenance& lines,
                          const RunOptions& options) {
   State state = make_state(scene);
-  const bool with_fields = scene.output.fields_every > 0.0,
-             with_frames = (scene.bag || scene.target) && scene.output.frames > 0;
-  ResultFolder folder(path, "run");
-  if (options.ready) options.ready();
-  folder.begin(lines);
-  folder.write("summary.json", summary_of_running(scene, folder.lines()));
-  const std::string check = options.document ? check_file(*options.document, scene, folder.run()) : "";
-  if (!check.empty()) folder.write("check.json", check);
-  CsvWriter history(folder, "history.csv", history_columns(scene));
-  CsvWriter energy(folder, "energy.csv", energy_columns(scene));
-  Progress progress(scene.name, scene.time.end, options.quiet);
-  std::optional<FieldWriter> fields;
-  if (with_fields) fields.emplace(folder, scene);
-  std::optional<FrameWriter> frames;
-  if (with_frames) frames.emplace(folder, scene);
-  AccelerationRecord accelerations;
-  const auto& classes = scene.output.channel_classes;
-  const auto record = [&](bool recorded, const State& now) {
-    progress.update(now.time, [&] { return reached(now); });
-    if (recorded) {
-      history.write(scene, now);
-      energy.write(scene, now);
-    }
-    if (!classes.empty()) accelerations.add(recorded, now);
-    if (options.watch) options.watch(recorded, now);
-    history.keep_up();
-    energy.keep_up();
-  };
-  SkinChecks checks(scene);
-  std::vector<LevelView> views;
-  if (fields)
-    views.push_back(at_multiples(scene.output.fields_every, [&](const State& now) { fields->write(now); }));
-  if (frames)
-    views.push_back(
-        at_multiples(scene.time.end / scene.output.frames, [&](const State& now) { frames->write(now); }));
-  views.push_back(checks.view());
-  RunOutcome outcome = run_scene(scene, state, record, views, Executor(options.threads), options.stop);
-  checks.note(outcome);
-  for (CsvWriter* table : {&history, &energy}) flush(*table, outcome);
-  if (!classes.empty())
-    folder.write("accelerations.csv", comment_lines(folder.lines()) + accelerations.table(classes));
-  write_summary(folder, summary_text(scene, state, outcome, checks.found(), folder.lines()));
-  folder.end(status_name(outcome.status));
+  RunFolder folder(scene, path, lines, options);
+  RunOutcome outcome =
+      run_scene(scene, state, folder.sink(), folder.views(), Executor(options.threads), options.stop);
+  folder.end(state, outcome);
   return outcome;
 }
 

@@ -10,6 +10,9 @@ namespace driver {
 /// Its place at the start.
 coupling::Pose impactor_start(const Scene& scene);
 
+/// A body's axes after a rotation vector `turn` [rad]; the same bits everywhere.
+Eigen::Matrix3d turned(const Eigen::Matrix3d& axes, const Eigen::Vector3d& turn);
+
 /// Where it is, and how far it has turned.
 struct ImpactorMotion {
   coupling::Pose pose;                             // at level n

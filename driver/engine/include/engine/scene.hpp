@@ -44,12 +44,14 @@ enum class JetWork { external, from_gas };
 struct GasPart {
   gas::ControlVolumeModel model;
   gas::IntegratorOptions integrator;
-  std::vector<double> initial_fractions;  // mass fractions per species
-  double initial_pressure = 0.0;          // [Pa]
-  double initial_temperature = 0.0;       // [K]
-  std::optional<double> rigid_volume;     // [m3] of a tank, at the start if it varies
-  std::optional<TankVolume> tank_volume;  // of a tank that moves
-  double tank_leak_area = 0.0;            // [m2] of all fabrics of a tank
+  std::vector<double> initial_fractions;       // mass fractions per species
+  std::vector<std::size_t> contact_sensors{};  // nodes that follow the contact; other inputs are the caller's
+  std::vector<std::string> sensor_names{};     // of the first nodes
+  double initial_pressure = 0.0;               // [Pa]
+  double initial_temperature = 0.0;            // [K]
+  std::optional<double> rigid_volume{};        // [m3] of a tank, at the start if it varies
+  std::optional<TankVolume> tank_volume{};     // of a tank that moves
+  double tank_leak_area = 0.0;                 // [m2] of all fabrics of a tank
   /// [W/(m2 K)] of the walls, if they take heat; the model has it times their area.
   std::optional<double> heat_loss_coefficient{};
 };
@@ -137,6 +139,7 @@ struct Scene {
   gas::Ambient ambient{};
   TimePart time;
   OutputPart output;
+  bool driven = false;  // a program sets forces, an impactor or gravity (controls.hpp)
   std::optional<GasPart> gas;
   std::optional<BagPart> bag;
   std::optional<TargetPart> target;

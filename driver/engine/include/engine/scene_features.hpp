@@ -90,7 +90,7 @@ inline bool impactor(const Scene& scene) {
   return scene.has_impactor();
 }
 inline bool driving(const Scene& scene) {
-  return scene.field || (scene.pendulum && scene.pendulum->driving_moment) ||
+  return scene.driven || scene.field || (scene.pendulum && scene.pendulum->driving_moment) ||
          (scene.body && scene.body->force);
 }
 inline bool motion(const Scene& scene) {

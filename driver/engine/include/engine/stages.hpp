@@ -45,8 +45,9 @@ bool rescale_jets(State& state);
 /// Counts the kick's jets.
 void book_jets(const Scene& scene, State& state);
 void prescribed_pressure(const Scene& scene, State& state);  // S3, its mean over the kick
-/// Time that a step from `time` must not pass: the end, or the next row's if history_exact.
-double next_stop(const Scene& scene, double time);
+/// Time that the step must not pass: the end, StepSizes::stop, the next multiple of meet_every,
+/// or the next row's if history_exact.
+double next_stop(const Scene& scene, const State& state);
 void advance(const Scene& scene, State& state, const Executor& executor);   // S8
 void volume(const Scene& scene, State& state, const Executor& executor);    // S9
 void gas_ode(const Scene& scene, State& state, const Enclosure& before);    // S10

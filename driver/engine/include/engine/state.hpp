@@ -12,6 +12,7 @@
 
 #include "coupling/skin_contact.hpp"
 #include "coupling/sphere_contact.hpp"
+#include "engine/peaks.hpp"
 #include "engine/scene.hpp"
 #include "gas/kick_work.hpp"
 #include "membrane/stages.hpp"
@@ -54,7 +55,7 @@ struct Flows {
   double friction_loss = 0.0;     // [J]
   double jet_work = 0.0;          // [J] by external jets
   double pressure_work = 0.0;     // [J] by a prescribed overpressure
-  double driving_work = 0.0;      // [J] by what drives the impactor
+  double driving_work = 0.0;      // [J] by what drives impactor or skin from outside
   double impactor_damping = 0.0;  // [J] lost in the dampers of its rail
   double kick_work = 0.0;         // [J] of all forces, kick form
   double contact_impulse = 0.0;   // [N s] integral of the magnitude of the contact force
@@ -131,62 +132,21 @@ struct Level {
   double skin_gravity = 0.0;
   double jet_power = 0.0;        // S8 [W] of all jets on the skin, at the velocity of n-1/2
   double pressure_power = 0.0;   // S8 [W] of a prescribed pressure, likewise
+  double own_power = 0.0;        // S8 [W] of BagState::own_force, likewise
   double skin_kinetic = 0.0;     // S11 [J]
   double energy_residual = 0.0;  // S11 [J] physical drift (K.21)
   double kick_residual = 0.0;    // S11 [J] (K.20): change of kinetic energy less the work of every force
 };
 
-/// A term of the energy balance: a column of energy.csv.
-struct LargestTerm {
-  const char* name = "";
-  double magnitude = 0.0;  // [J]
-};
-
-/// What was seen of the contact of the skin with itself; S11.
-struct SelfContactRecord {
-  int limited_at_start = 0;     // nodes that start closer to a layer than the thickness
-  double smallest_limit = 0.0;  // [m] smallest distance of such a node; the thickness without one
-  int contacts = 0;             // largest number of pairs in contact
-  double contacts_time = 0.0;   // [s]
-  double gap = std::numeric_limits<double>::infinity();  // [m] smallest of a pair in contact
-  double gap_time = 0.0;                                 // [s]
-  /// [s] First level from which on the pairs in contact are fewer than 1 % of the nodes; infinite: not yet.
-  double one_room_from = 0.0;
-};
-
-/// Extremes and events of the run so far; S11.
-struct Peaks {
-  double pressure = 0.0;         // [Pa]
-  double volume = 0.0;           // [m3]
-  double pendulum_angle = 0.0;   // [rad] largest magnitude
-  double cg_acceleration = 0.0;  // [m/s2]
-  double displacement = 0.0;     // [m] of an impactor on a rail or free, largest magnitude
-  double acceleration = 0.0;     // [m/s2] of it
-  double contact_force = 0.0;    // [N]
-  double penetration = 0.0;      // [m] of the contact
-  double jet_force = 0.0;        // [N]
-  double first_contact = -1.0;   // [s] first level with contact, -1: none
-  double mass_residual = 0.0;    // [-] of the mass balance
-  double ledger_residual = 0.0;  // [J] kick form, largest magnitude
-  /// [J] Physical drift, largest magnitude at the recorded levels.
-  double energy_residual = 0.0;
-  /// [J] Largest of sensible supply, sensible internal energy, p V, kinetic and elastic energy (K.43).
-  double energy_scale = 0.0;
-  double mechanical = 0.0;  // [J] largest sum of kinetic and elastic energy and that of the pendulum's weight
-  /// Largest of the terms that the step integrates, at the recorded levels.
-  LargestTerm largest_term;
-  SelfContactRecord self_contact;
-  /// [-] Of the momentum balance: inner forces and pressure on the closed skin sum to zero.
-  double momentum_residual = 0.0;
-};
-
 /// Step sizes and what limits them.
 struct StepSizes {
-  double before = 0.0;                                           // [s] step that led to n; 0 at the start
-  double after = 0.0;                                            // [s] step that leaves n
-  double kick_begin = 0.0;                                       // [s] where the kick at n-1 ended
-  double kick_end = 0.0;                                         // [s] half a step after n
-  double critical = 0.0;                                         // [s] bound at n
+  double before = 0.0;                                    // [s] step that led to n; 0 at the start
+  double after = 0.0;                                     // [s] step that leaves n
+  double kick_begin = 0.0;                                // [s] where the kick at n-1 ended
+  double kick_end = 0.0;                                  // [s] half a step after n
+  double stop = std::numeric_limits<double>::infinity();  // [s] that the caller wants to meet
+  double meet_every = 0.0;                                // [s] whose multiples the caller wants to meet
+  double critical = 0.0;                                  // [s] bound at n
   double drift_limit = std::numeric_limits<double>::infinity();  // [s] limit of (M.22) at n
   double force_mobility = 0.0;                                   // [J/s2] of the last kick (M.22); S8
   /// Number of steps that (M.22) or (M.24) made shorter.
@@ -229,11 +189,16 @@ struct PendulumRun {
 
 /// State of an impactor on a rail, or free.
 struct BodyRun {
-  coupling::RigidBodyState motion;   // S8
-  coupling::RigidBodyLoad contact;   // S4 at n
-  double displacement = 0.0;         // S4 [m] at n
-  double gravity_energy = 0.0;       // S4 [J] at n
-  double spring_energy = 0.0;        // S4 [J] at n
+  /// Its motion is the caller's, who sets it before S4; S8 lets it go on at the speeds given.
+  bool driven = false;
+  coupling::Pose last_pose{};                               // S8 at n-1, driven only; so are the next two
+  coupling::RigidBodyLoad last_contact{};                   // S8 at n-1
+  Eigen::Vector3d last_velocity = Eigen::Vector3d::Zero();  // [m/s] S8 at n-1
+  coupling::RigidBodyState motion;                          // S8
+  coupling::RigidBodyLoad contact;                          // S4 at n
+  double displacement = 0.0;                                // S4 [m] at n
+  double gravity_energy = 0.0;                              // S4 [J] at n
+  double spring_energy = 0.0;                               // S4 [J] at n
   double driving_work = 0.0;         // S8 [J] of the force that the case prescribes, in this kick
   double driving_work_before = 0.0;  // S8 [J] its part before n
   coupling::RigidBodyKick kick;      // S8
@@ -246,7 +211,8 @@ struct BodyRun {
 /// What the balances count from.
 struct AtStart {
   double gas_mass = 0.0;               // [kg]
-  double volume = 0.0;                 // [m3]
+  double volume = 0.0;                 // [m3] at the start, or when the ambient pressure was last set
+  double ambient_work = 0.0;           // [J] on the ambient gas until then
   double energy = 0.0;                 // [J] sum of all energies
   double kinetic = 0.0;                // [J] of skin and impactor
   double smallest_energy = 0.0;        // [J] below which a skin's is not judged

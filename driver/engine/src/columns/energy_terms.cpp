@@ -10,7 +10,7 @@ using Of = const Scene&;
 using At = const State&;
 
 double ambient_work(Of scene, At now) {
-  return scene.ambient.pressure * (now.level.volume - now.start.volume);
+  return now.start.ambient_work + scene.ambient.pressure * (now.level.volume - now.start.volume);
 }
 
 double pendulum_gravity(Of scene, At now) {

@@ -31,6 +31,11 @@ Pose on_pendulum(const Scene& scene, double angle) {
 
 }  // namespace
 
+Matrix3d turned(const Matrix3d& axes, const Vector3d& turn) {
+  const double angle = turn.norm();
+  return angle > 0.0 ? Matrix3d(rotation(turn / angle, angle) * axes) : axes;
+}
+
 double turning_reach(const coupling::Impactor& shape) {
   return std::holds_alternative<coupling::Sphere>(shape) ? 0.0 : coupling::reach_of(shape);
 }

@@ -184,13 +184,13 @@ void read_gas(TableReader& root, std::optional<TableReader>& ambient, std::vecto
 
   gas::ControlVolumeModel model{gas::Thermo(list.species()), scene.ambient, {}, {}};
   if (outside) model.ambient.mass_fractions = mass_fractions(model.thermo, *outside);
-  scene.gas.emplace(GasPart{std::move(model), {}, {}, 0.0, 0.0, {}, {}});
+  scene.gas.emplace(GasPart{std::move(model), {}, {}});
   GasPart& part = *scene.gas;
   if (initial) read_initial(*initial, initial_composition, scene);
   read_heat_loss(*table, scene);
   table->finish();
 
-  TriggerNames names = read_triggers(root, part.model.triggers);
+  TriggerNames names = read_triggers(root, part);
   require_sensors(root, part.model);
   gas::ControlVolumeModel alone = part.model;  // with one inflator: what is wrong is of that one
   auto& inflows = part.model.inflows;

@@ -42,12 +42,15 @@ void require_one(const TableReader& table, const std::vector<std::string>& kinds
 }
 
 gas::Sensor read_sensor(TableReader& table) {
-  require_one(table, {"time", "signal", "overpressure", "contact"}, {"name", "above", "reset"});
+  require_one(table, {"time", "signal", "overpressure", "contact", "external"}, {"name", "above", "reset"});
   if (table.has("signal")) return read_signal(table);
   if (table.has("overpressure")) return read_pressure(table);
   if (table.has("time"))
     return {gas::SensorKind::time, table.at("time").number(non_negative.in("s")), {}, {}};
-  if (!table.at("contact").flag(true)) table.fail("contact", "is false, allowed: true");
+  if (table.has("contact") && !table.at("contact").flag(true))
+    table.fail("contact", "is false, allowed: true");
+  if (table.has("external") && !table.at("external").flag(true))
+    table.fail("external", "is false, allowed: true");
   return {gas::SensorKind::input, 0.0, {}, {}};
 }
 
@@ -98,10 +101,13 @@ std::optional<std::size_t> TriggerNames::optional_node(TableReader& table) {
   return found;
 }
 
-TriggerNames read_triggers(TableReader& root, gas::TriggerModel& model) {
+TriggerNames read_triggers(TableReader& root, GasPart& part) {
   TriggerNames names;
+  gas::TriggerModel& model = part.model.triggers;
   for (auto& table : root.tables("sensor")) {
     names.add(table);
+    part.sensor_names.push_back(table.at("name").text());
+    if (table.has("contact")) part.contact_sensors.push_back(model.sensors.size());
     model.sensors.push_back(read_sensor(table));
     table.finish();
   }

@@ -29,6 +29,6 @@ class TriggerNames {
 };
 
 /// [[sensor]], [[trigger]]
-TriggerNames read_triggers(TableReader& root, gas::TriggerModel& model);
+TriggerNames read_triggers(TableReader& root, GasPart& part);
 
 }  // namespace driver

@@ -198,9 +198,8 @@ void check_composition(const TableReader& root, const Scene& scene) {
     root.fail("vent", "needs a volume, [tank] or [membrane]");
   if (scene.gas && !scene.has_volume() && scene.gas->model.triggers.size() > 0)
     root.fail(root.has("sensor") ? "sensor" : "trigger", "needs a volume, [tank] or [membrane]");
-  for (const auto& sensor : scene.gas ? scene.gas->model.triggers.sensors : std::vector<gas::Sensor>{})
-    if (sensor.kind == gas::SensorKind::input && !scene.contact)
-      root.fail("sensor", "of contact: the scene has no [contact]");
+  if (scene.gas && !scene.gas->contact_sensors.empty() && !scene.contact)
+    root.fail("sensor", "of contact: the scene has no [contact]");
   if (scene.has_impactor() && !scene.bag && !scene.time.step)
     root.fail("time", fmt::format("needs step for {} alone", scene.pendulum ? "a pendulum" : "an impactor"));
 }

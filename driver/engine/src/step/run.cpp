@@ -15,9 +15,7 @@
 #include "coupling/side.hpp"
 #include "engine/drift.hpp"
 #include "engine/impactor.hpp"
-#include "engine/schedule.hpp"
 #include "engine/stage_clock.hpp"
-#include "engine/stages.hpp"
 #include "step/taut_straps.hpp"
 
 namespace driver {
@@ -42,34 +40,21 @@ class BlowUp {
   double share_ = 0.0;  // of the residual at the last recorded level
 };
 
-void run_steps(const Scene& scene, State& state, const LevelSink& sink, const std::vector<LevelView>& views,
-               const Executor& executor, const std::function<bool()>& stop_wanted, TautStraps& straps,
-               RunOutcome& outcome) {
-  Schedule history(scene.output.history_every);
+void run_steps(const Scene& scene, State& state, LevelLoop& levels, const Executor& executor,
+               const std::function<bool()>& stop_wanted, TautStraps& straps, RunOutcome& outcome) {
   BlowUp blow_up;
   bool blown_up = false;
-  std::vector<const LevelView*> due;
   for (;;) {
-    StepRequest request;
     const bool stop = stop_wanted ? stop_wanted() : interrupted();
-    request.last = stop || blown_up || state.time >= scene.time.end;
-    request.record = history.due(state.time) || request.last;
-    due.clear();
-    for (const LevelView& view : views)
-      if (view.due(state, request.last)) due.push_back(&view);
-    const double now = state.time;
-    evaluate_level(scene, state, request, executor);
-    for (const LevelView* view : due) view->show(state);
-    advance_level(scene, state, request, executor);
-    sink(request.record, state);
+    const bool last = stop || blown_up || state.time >= scene.time.end;
+    levels.evaluate(scene, state, executor, last);
+    levels.advance(scene, state, executor);
     straps.look(state);
     if (stop) outcome.status = RunStatus::interrupted;
     if (blown_up) outcome.status = RunStatus::inaccurate;
-    if (request.last) return;
-    blown_up = request.record && blow_up.is_at(scene, state);
-    const double stop_at = next_stop(scene, now);
-    state.time = state.step.after >= stop_at - now ? stop_at : now + state.step.after;
-    ++state.steps;
+    if (last) return;
+    blown_up = levels.recorded() && blow_up.is_at(scene, state);
+    levels.move_on(scene, state);
   }
 }
 
@@ -167,12 +152,6 @@ void note_untouched(const Scene& scene, const State& state, RunOutcome& outcome)
 
 }  // namespace
 
-LevelView at_multiples(double interval, std::function<void(const State&)> show) {
-  return {
-      [schedule = Schedule(interval)](const State& state, bool) mutable { return schedule.due(state.time); },
-      std::move(show)};
-}
-
 const char* status_name(RunStatus status) {
   switch (status) {
     case RunStatus::done:
@@ -187,6 +166,16 @@ const char* status_name(RunStatus status) {
   return "failed";
 }
 
+void conclude(const Scene& scene, const State& state, RunOutcome& outcome) {
+  if (outcome.status == RunStatus::done && state.time >= scene.time.end) {
+    note_never_on(scene, state, outcome);
+    note_held_velocities(scene, state, outcome);
+    note_left_outlets(scene, state, outcome);
+    note_untouched(scene, state, outcome);
+  }
+  judge_drift(scene, state, outcome);
+}
+
 RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                      const std::vector<LevelView>& views, const Executor& executor,
                      const std::function<bool()>& stop) {
@@ -194,6 +183,8 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
   const auto start = std::chrono::steady_clock::now();
   const StageClock clock(executor.threads() == 1);
   TautStraps straps(scene);
+  LevelLoop levels(scene);
+  levels.watch(sink, views);
   const auto fail = [&](const std::exception& error) {
     outcome.status = RunStatus::failed;
     outcome.out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
@@ -201,7 +192,7 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
                                   state.steps, text_of(error));
   };
   try {
-    run_steps(scene, state, sink, views, executor, stop, straps, outcome);
+    run_steps(scene, state, levels, executor, stop, straps, outcome);
   } catch (const std::exception& error) {
     // A stage refused what an earlier one computed (a coordinate out of range, say), or memory ran out.
     fail(error);
@@ -209,14 +200,9 @@ RunOutcome run_scene(const Scene& scene, State& state, const LevelSink& sink,
   outcome.wall_seconds = seconds_since(start);
   outcome.stage_seconds = clock.seconds(state);
   outcome.cpu_seconds = clock.total();
-  if (outcome.status == RunStatus::done && state.time >= scene.time.end) {
-    note_never_on(scene, state, outcome);
-    note_held_velocities(scene, state, outcome);
-    note_left_outlets(scene, state, outcome);
-    note_untouched(scene, state, outcome);
-    if (sees_all_inflow(scene)) straps.note(scene, outcome);
-  }
-  judge_drift(scene, state, outcome);
+  const bool to_end = outcome.status == RunStatus::done && state.time >= scene.time.end;
+  conclude(scene, state, outcome);
+  if (to_end && sees_all_inflow(scene)) straps.note(scene, outcome);
   return outcome;
 }
 

@@ -78,8 +78,8 @@ void start_level(const Scene& scene, State& state) {
     const coupling::RigidBodyModel& model = scene.body->model;
     BodyRun& body = *state.body;
     body.displacement = model.displacement(body.motion);
-    body.gravity_energy = model.gravity_energy(body.motion);
-    body.spring_energy = model.spring_energy(body.motion);
+    body.gravity_energy = body.driven ? 0.0 : model.gravity_energy(body.motion);
+    body.spring_energy = body.driven ? 0.0 : model.spring_energy(body.motion);
     body.contact = {};
   }
 }

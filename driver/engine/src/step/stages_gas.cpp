@@ -155,10 +155,8 @@ void gas_ode(const Scene& scene, State& state, const Enclosure& before) {
   StageTimer timer(state, Stage::gas);
   if (!scene.gas || !scene.has_volume()) return;
   const double next = state.time + state.step.after;
-  const auto& sensors = scene.gas->model.triggers.sensors;
-  for (std::size_t i = 0; i < sensors.size(); ++i)
-    if (sensors[i].kind == gas::SensorKind::input)
-      gas::set_input(scene.gas->model.triggers, i, state.contact.area > 0.0, state.gas.triggers);
+  for (const std::size_t sensor : scene.gas->contact_sensors)
+    gas::set_input(scene.gas->model.triggers, sensor, state.contact.area > 0.0, state.gas.triggers);
   if (scene.gas->tank_volume) return advance_tank(scene, before.leak_area, next, state);
   const Enclosure after = enclosure(scene, state);
   if (scene.bag) require_inside(after.volume);

@@ -42,6 +42,10 @@ void book_kick(const Scene& scene, State& state, bool last) {
   state.flows.kick_work += work.total();
   state.flows.damping_loss -= work.damping;
   state.level.flows.damping_loss -= kick_share(step) * work.damping;
+  if (!state.bag->own_force.empty()) {
+    state.flows.driving_work += work.own;
+    state.level.flows.driving_work += work_before_level(step, state.level.own_power, work.own);
+  }
   if (scene.bag->overpressure) {
     state.flows.pressure_work += work.pressure;
     state.level.flows.pressure_work += work_before_level(step, state.level.pressure_power, work.pressure);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/impactor.hpp"
 #include "engine/stages.hpp"
 
 namespace driver {
@@ -50,7 +51,32 @@ void advance_pendulum(const Scene& scene, State& state) {
   run.driving_work_before = work_before_level(step, run.driving_moment * before, run.driving_work);
 }
 
+// The caller's work on the contact from level to level is that of the mean force. The body's own mass takes
+// no part.
+void follow_caller(const Scene& scene, State& state) {
+  BodyRun& run = *state.body;
+  const StepSizes& step = state.step;
+  const coupling::RigidBodyModel& model = scene.body->model;
+  const Eigen::Vector3d path = run.motion.centre - run.last_pose.centre,
+                        turn = step.before * model.angular_velocity(run.motion);
+  const double work = -0.5 * ((run.contact.force + run.last_contact.force).dot(path) +
+                              (run.contact.couple + run.last_contact.couple).dot(turn));
+  state.flows.driving_work += work;
+  state.level.flows.driving_work += work;
+  run.velocity = run.motion.velocity;
+  if (step.before > 0.0) run.acceleration = (run.velocity - run.last_velocity) / step.before;
+  run.angular_velocity = model.angular_velocity(run.motion);
+  run.last_pose = {run.motion.centre, run.motion.axes};
+  run.last_contact = run.contact;
+  run.last_velocity = run.velocity;
+  run.kick = {};
+  run.kinetic = run.driving_work = run.driving_work_before = 0.0;
+  run.motion.centre += step.after * run.motion.velocity;
+  run.motion.axes = turned(run.motion.axes, step.after * run.angular_velocity);
+}
+
 void advance_body(const Scene& scene, State& state) {
+  if (state.body->driven) return follow_caller(scene, state);
   const StepSizes& step = state.step;
   const BodyPart& part = *scene.body;
   BodyRun& run = *state.body;
@@ -106,6 +132,8 @@ void advance(const Scene& scene, State& state, const Executor& executor) {
       state.level.field[c] = kick_mean((*scene.field)[static_cast<std::size_t>(c)], step);
   if (state.bag) {
     if (scene.field) state.bag->gravity = state.level.field;
+    if (!state.bag->own_force.empty())
+      state.level.own_power = state.bag->own_force.map().cwiseProduct(state.bag->velocity.map()).sum();
     membrane::advance(scene.bag->model, *state.bag, step.before, step.after, ParallelBlocks{executor});
     const double tau = 0.5 * (step.before + step.after);
     const membrane::AdvanceSums& sums = state.bag->advance;  // of squares: |v+ - v-|^2 = (tau f / m)^2

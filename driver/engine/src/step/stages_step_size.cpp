@@ -124,7 +124,7 @@ void choose_step(const Scene& scene, State& state, bool last) {
   // The last steps share what is left, so that the end is met without a shorter one: the energy of a level
   // contains the step (K.40). Of steps that the case gives two share, and gas alone keeps to its rows. Up to
   // a row all of them share, or steps that alternate at each row could resonate with a mode.
-  const double left = next_stop(scene, state.time) - state.time;
+  const double left = next_stop(scene, state) - state.time;
   const double sharing = !scene.moves() ? 1.0 : scene.time.step ? 2.0 : 100.0;
   const double steps = std::max(1.0, std::ceil(left / wanted * (1.0 - 1e-9)));
   if (scene.output.history_exact || steps <= sharing) wanted = left / steps;
@@ -134,11 +134,16 @@ void choose_step(const Scene& scene, State& state, bool last) {
   book_step(step);
 }
 
-double next_stop(const Scene& scene, double time) {
-  const double end = scene.time.end, every = scene.output.history_every;
-  if (!scene.output.history_exact) return end;
-  const double next = (std::floor(time / every * (1.0 + 1e-12)) + 1.0) * every;
-  return next < end * (1.0 - 1e-12) ? next : end;
+double next_stop(const Scene& scene, const State& state) {
+  const double end = std::min(scene.time.end, state.step.stop);
+  const auto before = [&](double every, double stop) {  // the next multiple, if it is before
+    const double next = (std::floor(state.time / every * (1.0 + 1e-12)) + 1.0) * every;
+    return next < stop * (1.0 - 1e-12) ? next : stop;
+  };
+  double stop = end;
+  if (scene.output.history_exact) stop = before(scene.output.history_every, stop);
+  if (state.step.meet_every > 0.0) stop = before(state.step.meet_every, stop);
+  return stop;
 }
 
 }  // namespace driver

@@ -71,7 +71,7 @@ JetRun start_jet(const JetPart& part, const Eigen::Matrix3Xi& triangles) {
           part.field.make_state(),
           std::move(elements),
           std::vector<std::uint8_t>(static_cast<std::size_t>(part.query->element_count())),
-          part.query->another(),
+          *part.query,
           {},
           {},
           Eigen::Vector3d::Zero()};

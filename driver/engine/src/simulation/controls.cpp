@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/controls.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/impactor.hpp"
+#include "engine/stages.hpp"
+
+namespace driver {
+namespace {
+
+using Eigen::Vector3d;
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw std::invalid_argument(text);
+}
+
+void require_number(std::size_t number, std::size_t count, const char* name) {
+  if (number < count) return;
+  refuse(count == 0 ? fmt::format("{}: is {}, but the scene has none", name, number)
+                    : fmt::format("{}: is {}, allowed: 0 to {}", name, number, count - 1));
+}
+
+void require(bool good, const char* name, double value, const char* allowed) {
+  if (!good) refuse(fmt::format("{}: is {:.6g}, allowed: {}", name, value, allowed));
+}
+
+void require_finite(const Eigen::Ref<const Eigen::MatrixXd>& values, const char* name) {
+  if (!values.allFinite())
+    refuse(fmt::format("{}: has a number that is not finite, allowed: finite ones", name));
+}
+
+const GasPart& gas_of(const Simulation& simulation, const char* name) {
+  if (!simulation.scene().has_volume())
+    refuse(fmt::format("{}: the scene has no volume of gas, allowed: a case with one", name));
+  return *simulation.scene().gas;
+}
+
+// The integrator has a model of its own; making it tests the new one.
+Moment::Change new_model(const GasPart& gas, gas::ControlVolumeModel model) {
+  return [integrator = gas::GasIntegrator(model, gas.integrator), model = std::move(model)](Scene& scene,
+                                                                                            State& state) {
+    scene.gas->model = model;
+    state.gas_integrator = integrator;
+  };
+}
+
+// The work on the ambient gas so far; in the last step half of the new pressure counts.
+void settle_ambient_work(const Scene& scene, State& state, double pressure) {
+  if (!scene.bag) return;
+  const double now = state.bag->surface.volume, last = state.steps > 0 ? state.level.volume : now;
+  state.start.ambient_work += scene.ambient.pressure * (now - state.start.volume) +
+                              0.5 * (pressure - scene.ambient.pressure) * (now - last);
+  state.start.volume = now;
+}
+
+void require_rotation(const Eigen::Matrix3d& axes) {
+  require_finite(axes, "axes");
+  const double error = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(error < 1e-9 && axes.determinant() > 0.0))
+    refuse(fmt::format("axes: are no rotation, off by {:.3g}, allowed: 1e-9", error));
+}
+
+// Energy of the impactor that leaves the balance as the caller takes it over.
+void take_over(const Scene& scene, State& state) {
+  BodyRun& run = *state.body;
+  if (std::exchange(run.driven, true)) return;
+  const coupling::RigidBodyModel& model = scene.body->model;
+  run.last_pose = {run.motion.centre, run.motion.axes};
+  run.last_velocity = run.motion.velocity;
+  if (state.steps > 0)
+    state.flows.driving_work -=
+        run.kinetic + model.gravity_energy(run.motion) + model.spring_energy(run.motion);
+}
+
+void set_speed(const Scene& scene, State& state, const Vector3d& velocity, const Vector3d& angular_velocity) {
+  coupling::RigidBodyState& motion = state.body->motion;
+  const Eigen::Matrix3d inertia =
+      motion.axes * scene.body->model.parameters().inertia * motion.axes.transpose();
+  motion.velocity = velocity;
+  motion.angular_momentum = inertia * angular_velocity;
+}
+
+}  // namespace
+
+void set_vent_area(Simulation& simulation, std::size_t vent, double area) {
+  const GasPart& gas = gas_of(simulation, "vent");
+  require_number(vent, gas.model.vents.size(), "vent");
+  require(area >= 0.0 && std::isfinite(area), "area", area, "0 or more");
+  const gas::Vent& now = gas.model.vents[vent];
+  if (now.area == area && !now.area_of_time && !now.area_of_overpressure) return;
+  const Control control{Control::vent, vent, {area}};
+  gas::ControlVolumeModel model = gas.model;
+  model.vents[vent].area = area;
+  model.vents[vent].area_of_time.reset();
+  model.vents[vent].area_of_overpressure.reset();
+  simulation.change_now(new_model(gas, std::move(model)));
+  simulation.note(control);
+}
+
+void set_sensor(Simulation& simulation, const std::string& name, bool on) {
+  const GasPart& gas = gas_of(simulation, "sensor");
+  const auto found = std::ranges::find(gas.sensor_names, name);
+  const auto number = static_cast<std::size_t>(found - gas.sensor_names.begin());
+  if (found == gas.sensor_names.end())
+    refuse(fmt::format("name: is '{}', but the scene has no such sensor", name));
+  if (gas.model.triggers.sensors[number].kind != gas::SensorKind::input ||
+      std::ranges::find(gas.contact_sensors, number) != gas.contact_sensors.end())
+    refuse(fmt::format("name: is '{}', which follows the scene, allowed: one with external = true", name));
+  simulation.change_now([number, on](Scene& scene, State& state) {
+    gas::set_input(scene.gas->model.triggers, number, on, state.gas.triggers);
+  });
+}
+
+void set_ambient(Simulation& simulation, double pressure, double temperature) {
+  gas_of(simulation, "pressure");
+  require(pressure >= 0.0 && std::isfinite(pressure), "pressure", pressure, "0 or more");
+  require(temperature > 0.0 && std::isfinite(temperature), "temperature", temperature, "above 0");
+  simulation.change_level([pressure, temperature](Scene& scene, State& state) {
+    settle_ambient_work(scene, state, pressure);
+    for (gas::Ambient* ambient : {&scene.ambient, &scene.gas->model.ambient}) {
+      ambient->pressure = pressure;
+      ambient->temperature = temperature;
+    }
+    state.gas_integrator.emplace(scene.gas->model, scene.gas->integrator);
+  });
+  simulation.note({Control::ambient, 0, {pressure, temperature}});
+}
+
+void set_inflow(Simulation& simulation, std::size_t inflator, double mass_flow, double temperature) {
+  const GasPart& gas = gas_of(simulation, "inflator");
+  require_number(inflator, gas.model.inflows.size(), "inflator");
+  require(mass_flow >= 0.0 && std::isfinite(mass_flow), "mass_flow", mass_flow, "0 or more");
+  require(temperature > 0.0 && std::isfinite(temperature), "temperature", temperature, "above 0");
+  const auto change = [inflator, mass_flow, temperature](Scene& scene, State& state) {
+    gas::Inflow& inflow = scene.gas->model.inflows[inflator];
+    inflow.mass_flow = gas::Curve::constant(mass_flow);
+    inflow.temperature = gas::Curve::constant(temperature);
+    inflow.start_time = 0.0;
+    inflow.trigger.reset();
+    state.gas_integrator.emplace(scene.gas->model, scene.gas->integrator);
+    for (std::size_t j = 0; j < scene.jets.size(); ++j)
+      if (scene.jets[j].inflator == inflator) state.jets[j].firing = 0.0;
+  };
+  gas::ControlVolumeModel model = gas.model;  // tested before anything changes
+  model.inflows[inflator].temperature = gas::Curve::constant(temperature);
+  gas::validate(model);
+  simulation.change_level(change);
+  simulation.note({Control::inflow, inflator, {mass_flow, temperature}});
+}
+
+void set_outlet(Simulation& simulation, std::size_t jet, const Vector3d& centre, const Vector3d& axis) {
+  const Scene& scene = simulation.scene();
+  require_number(jet, scene.jets.size(), "jet");
+  require_finite(centre, "centre");
+  require_finite(axis, "axis");
+  if (!(axis.norm() > 0.0)) refuse("axis: is zero, allowed: any other length");
+  const jet::JetField& field = scene.jets[jet].field;
+  const jet::JetModel& model = field.model();
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(model.axis, axis);
+  const Vector3d along =
+      model.shape == jet::OutletShape::rectangular ? turn * model.long_direction : model.long_direction;
+  simulation.change_level([jet, field = field.placed(centre, axis, along)](Scene& changed, State& state) {
+    changed.jets[jet].field = field;
+    JetRun& run = state.jets[jet];
+    run.field.displacement_bound = jet::kMotionUnknown;
+    run.query = *changed.jets[jet].query;
+    run.load_change = 0.0;
+  });
+  simulation.note({Control::outlet, jet, {centre.x(), centre.y(), centre.z(), axis.x(), axis.y(), axis.z()}});
+}
+
+void meet_every(Simulation& simulation, double interval) {
+  require(interval >= 0.0 && std::isfinite(interval), "interval", interval, "0 or more");
+  simulation.change_level([interval](Scene&, State& state) { state.step.meet_every = interval; });
+}
+
+void set_gravity(Simulation& simulation, const Vector3d& gravity) {
+  const Scene& scene = simulation.scene();
+  require_finite(gravity, "gravity");
+  if (!scene.moves()) refuse("gravity: has no effect, as nothing in the scene moves");
+  if (!scene.gravity.isZero(0.0))
+    refuse(
+        "gravity: is constant in the scene, which counts its energy, allowed: a case without scene.gravity, "
+        "or "
+        "with one over time");
+  simulation.change_now([gravity](Scene& changed, State&) {
+    changed.field = {gas::Curve::constant(gravity.x()), gas::Curve::constant(gravity.y()),
+                     gas::Curve::constant(gravity.z())};
+  });
+  simulation.note({Control::gravity, 0, {gravity.x(), gravity.y(), gravity.z()}});
+}
+
+void apply(Simulation& simulation, const Control& control) {
+  const auto& v = control.value;
+  switch (control.kind) {
+    case Control::vent:
+      return set_vent_area(simulation, control.part, v[0]);
+    case Control::ambient:
+      return set_ambient(simulation, v[0], v[1]);
+    case Control::inflow:
+      return set_inflow(simulation, control.part, v[0], v[1]);
+    case Control::outlet:
+      return set_outlet(simulation, control.part, {v[0], v[1], v[2]}, {v[3], v[4], v[5]});
+    case Control::gravity:
+      return set_gravity(simulation, {v[0], v[1], v[2]});
+  }
+  refuse("state: is damaged, allowed: bytes as they were saved");
+}
+
+void set_impactor(Simulation& simulation, const ImpactorPlace& place) {
+  const Scene& scene = simulation.scene();
+  if (!scene.body)
+    refuse(scene.pendulum ? "sim: has an impactor on a pendulum, allowed: one on a rail or free"
+                          : "sim: has no impactor, allowed: a case with one on a rail or free");
+  if (simulation.now().evaluated)
+    refuse(fmt::format(
+        "sim: is evaluated at {:.6g} s, allowed: after a step, before forces, contact or the next "
+        "step are read",
+        simulation.state().time));
+  require_finite(place.centre, "centre");
+  require_finite(place.velocity, "velocity");
+  require_finite(place.angular_velocity, "angular_velocity");
+  require_rotation(place.axes);
+  const State& now = simulation.state();
+  const double jump = (place.centre - now.body->motion.centre).norm(),
+               half = 0.5 * coupling::size_of(scene.impactor);
+  if (scene.contact && !(jump <= half))
+    refuse(
+        fmt::format("centre: jumps by {:.3g} m, allowed: {:.3g} m, half of what it may sink in", jump, half));
+  simulation.change_now([place](Scene& changed, State& state) {
+    take_over(changed, state);
+    state.body->motion.centre = place.centre;
+    state.body->motion.axes = place.axes;
+    set_speed(changed, state, place.velocity, place.angular_velocity);
+  });
+}
+
+void set_impactor_speed(Simulation& simulation, const Vector3d& velocity, const Vector3d& angular_velocity) {
+  if (!simulation.state().body || !simulation.state().body->driven)
+    refuse("sim: has no impactor of the caller, allowed: after its place was set");
+  require_finite(velocity, "velocity");
+  require_finite(angular_velocity, "angular_velocity");
+  simulation.change_now([velocity, angular_velocity](Scene& scene, State& state) {
+    set_speed(scene, state, velocity, angular_velocity);
+  });
+}
+
+gas::GasPoint gas_now(const Scene& scene, const State& state) {
+  const Enclosure now = enclosure(scene, state);
+  return gas::evaluate(scene.gas->model, state.gas, now.volume, now.leak_area, state.time);
+}
+
+membrane::VectorsMap own_force(Simulation& simulation) {
+  if (!simulation.scene().bag) refuse("sim: has no skin, allowed: a case with [membrane]");
+  const auto nodes = simulation.scene().bag->model.node_count;
+  membrane::Vectors* force = nullptr;
+  simulation.change_now([nodes, &force](Scene&, State& state) {
+    if (state.bag->own_force.empty()) state.bag->own_force = membrane::Vectors(nodes);
+    force = &state.bag->own_force;
+  });
+  return force->map();
+}
+
+}  // namespace driver

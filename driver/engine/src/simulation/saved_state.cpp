@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/saved_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/build_info.hpp"
+#include "engine/controls.hpp"
+#include "engine/energy_terms.hpp"
+#include "simulation/archive.hpp"
+
+namespace driver {
+namespace {
+
+void add(Archive& a, Streams& s) {
+  a.list(s.inflows), a.list(s.outflows), a.list(s.backflows), a.list(s.outflow_ambient);
+  a.plain(s.ambient);
+}
+
+void add(Archive& a, Level& s) {
+  a.plain(s.internal_energy, s.volume, s.skin_area, s.skin_strain, s.displacement, s.pendulum_angle,
+          s.impactor.centre, s.impactor.axes, s.field, s.flows, s.ambient, s.jet_force, s.skin_gravity,
+          s.jet_power, s.pressure_power, s.own_power, s.skin_kinetic, s.energy_residual, s.kick_residual);
+  a.list(s.masses);
+  add(a, s.streams);
+}
+
+// The name of a term is a text of the program.
+void add(Archive& a, LargestTerm& s) {
+  std::string name = s.name;
+  a.text(name);
+  a.plain(s.magnitude);
+  const auto terms = energy_terms();
+  const auto found = std::ranges::find_if(terms, [&](const EnergyTerm& term) { return name == term.name; });
+  s.name = found == terms.end() ? "" : found->name;
+}
+
+void add(Archive& a, Peaks& s) {
+  a.plain(s.pressure, s.volume, s.pendulum_angle, s.cg_acceleration, s.displacement, s.acceleration,
+          s.contact_force, s.penetration, s.jet_force, s.first_contact, s.mass_residual, s.ledger_residual,
+          s.energy_residual, s.energy_scale, s.mechanical, s.self_contact, s.momentum_residual);
+  add(a, s.largest_term);
+}
+
+void add(Archive& a, AtStart& s) {
+  a.plain(s.gas_mass, s.volume, s.ambient_work, s.energy, s.kinetic, s.smallest_energy);
+  a.list(s.masses), a.list(s.ambient_energy);
+}
+
+void add(Archive& a, gas::ControlVolumeState& s) {
+  a.list(s.masses);
+  a.plain(s.internal_energy, s.temperature);
+  a.list(s.triggers);
+}
+
+void add(Archive& a, membrane::BagState& s) {
+  for (membrane::Vectors* v : {&s.position, &s.velocity, &s.area_vector, &s.centroid, &s.volume_gradient,
+                               &s.membrane_force, &s.jet_force, &s.support_force, &s.viscous.force,
+                               &s.viscous.elastic_stress, &s.contact_force, &s.own_force})
+    a.vectors(*v);
+  a.list(s.rate_bound_squared), a.list(s.jet_nodes), a.list(s.has_jet_force), a.list(s.strap_tension);
+  a.plain(s.gauge_pressure, s.gravity, s.surface, s.forces, s.advance);
+  a.matrix(s.shares.mass);
+  a.list(s.shares.frequency);
+}
+
+void add(Archive& a, coupling::ContactState& s) {
+  a.plain(s.centre, s.axes, s.shift, s.kept, s.started, s.displacement_bound, s.told, s.ahead, s.expected,
+          s.gap, s.nearest);
+  a.matrix(s.nodes);
+  a.list(s.slack), a.list(s.group_slack), a.list(s.near), a.list(s.bristles), a.list(s.old_bristles);
+}
+
+// What only saves work is made anew.
+void add(Archive& a, JetRun& s) {
+  a.plain(s.outlet, s.field.restitution, s.field.size_ratio, s.field.outline_motion, s.counters, s.total,
+          s.force, s.load_change, s.firing);
+  for (jet::FieldState* field : {&s.field, &s.elements})
+    a.list(field->overpressure), a.list(field->candidates);
+  a.list(s.lit);
+  if (a.reads()) s.field.displacement_bound = jet::kMotionUnknown;
+}
+
+void add(Archive& a, State& s) {
+  a.plain(s.time, s.steps, s.stage, s.step, s.flows, s.gas_point, s.jet_work, s.contact, s.stage_ticks);
+  add(a, s.level), add(a, s.peaks), add(a, s.start), add(a, s.gas), add(a, s.streams);
+  a.plain(s.gas_events.last);
+  a.list(s.gas_events.opened);
+  if (s.bag) add(a, *s.bag);
+  if (s.pendulum) a.plain(*s.pendulum);
+  if (s.body) a.plain(*s.body);
+  if (s.contact_cache) add(a, *s.contact_cache);
+  for (JetRun& jet : s.jets) add(a, jet);
+}
+
+// What a state must agree on with its case.
+std::string key_of(const State& state) {
+  return fmt::format("gasjet state 1, {} {}, {} nodes, {} species, {} jets, {} {} {}", build_info::version,
+                     build_info::commit, state.bag ? state.bag->position.count() : 0, state.gas.masses.size(),
+                     state.jets.size(), state.pendulum.has_value(), state.body.has_value(),
+                     state.contact_cache.has_value());
+}
+
+}  // namespace
+
+std::string saved(const Simulation& simulation) {
+  const Moment& now = simulation.now();
+  if (now.state.skin_contact_cache)
+    throw std::invalid_argument(
+        "sim: has a bag whose layers touch, which is not saved; allowed: a clone, or a case without "
+        "membrane.self_contact");
+  if (!now.failure.empty()) throw std::invalid_argument("sim: has failed, allowed: one that can go on");
+  if (!now.later.empty())
+    throw std::invalid_argument("sim: has a setting that waits for the next level, allowed: after a step");
+  Archive archive;
+  State state = now.state;
+  std::string key = key_of(state);
+  std::vector<Control> controls = now.controls;
+  LevelProgress progress = simulation.loop().progress();
+  bool evaluated = now.evaluated;
+  archive.text(key);
+  archive.list(controls);
+  archive.plain(progress, evaluated);
+  add(archive, state);
+  return archive.written();
+}
+
+void restore(Simulation& simulation, std::string_view bytes) {
+  Archive archive(bytes);
+  Simulation fresh(simulation);
+  fresh.reset();
+  const std::string wanted = key_of(fresh.state());
+  std::string key;
+  archive.text(key);
+  if (key != wanted)
+    throw std::invalid_argument(
+        fmt::format("state: is of \"{}\", allowed: of this case and build, \"{}\"", key, wanted));
+  std::vector<Control> controls;
+  archive.list(controls);
+  for (const Control& control : controls) apply(fresh, control);
+  LevelProgress progress = fresh.loop().progress();
+  bool evaluated = false;
+  archive.plain(progress, evaluated);
+  State state = fresh.state();
+  add(archive, state);
+  if (!archive.at_end()) throw std::invalid_argument("state: has more bytes than were saved");
+  fresh.take(state, progress, evaluated);
+  simulation = static_cast<const Simulation&>(fresh);
+}
+
+}  // namespace driver
