@@ -24,5 +24,6 @@
 #include <gasjet/jet.h>
 #include <gasjet/membrane.h>
 #include <gasjet/run.h>
+#include <gasjet/simulation.h>
 
 #endif

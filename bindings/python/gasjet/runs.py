@@ -7,7 +7,7 @@ import os
 import re
 import tempfile
 import warnings
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -75,25 +75,34 @@ def _path(given: Any, name: str) -> bytes:
         raise TypeError(f"{name}: is a {type(given).__name__}, allowed: a path") from None
 
 
-def run(case: Path, set: Optional[Mapping[str, Any]] = None, out: Optional[Path] = None, threads: int = 1,
+def case_arguments(case: Union[Path, Mapping[str, Any]], text: Optional[str], set: Optional[Mapping[str, Any]],
+                   out: Optional[Path]) -> Tuple[bytes, Optional[str], str, Optional[bytes]]:
+    """File, text, overrides and folder for the library. A case may be a dict; its files are then looked for in the working folder."""
+    if set is not None and not isinstance(set, Mapping):
+        raise TypeError(f"set: is a {type(set).__name__}, allowed: a dict")
+    if isinstance(case, Mapping):
+        if text is not None:
+            raise TypeError("text: is given beside a dict, allowed: one of the two")
+        case, text = "case.toml", "".join(f"{json.dumps(str(key))} = {_toml(value)}\n" for key, value in case.items())
+    overrides = "\n".join(_override(key, value) for key, value in (set or {}).items())
+    return _path(case, "case"), text, overrides, None if out is None else _path(out, "out")
+
+
+def run(case: Union[Path, Mapping[str, Any]], set: Optional[Mapping[str, Any]] = None, out: Optional[Path] = None, threads: int = 1,
         text: Optional[str] = None, progress: Optional[Callable[[float, float], Any]] = None) -> Run:
     """Runs a case like the command `gasjet run`, with the same bits.
 
-    case: its file; if `text` is given, that is the case, and the file only its name. set: {"key.path": value}, None removes a key. out:
+    case: its file, or a dict of its tables; if `text` is given, that is the case, and the file only its name. set: {"key.path": value}, None removes a key. out:
     folder for the command's files. progress(time, end) is called some ten times a second; if it returns True, the run stops.
     Raises InputError, DomainError or StoppedError. The last two, KeyboardInterrupt and exceptions of `progress` have the
     results so far in `.run`. Each of the run's warnings is a GasjetWarning.
     """
-    if set is not None and not isinstance(set, Mapping):
-        raise TypeError(f"set: is a {type(set).__name__}, allowed: a dict")
     if progress is not None and not callable(progress):
         raise TypeError(f"progress: is a {type(progress).__name__}, allowed: a function of time and end")
-    overrides = "\n".join(_override(key, value) for key, value in (set or {}).items())
     try:
-        status, message, history, energy, summary, raised = _gasjet.run(
-            _path(case, "case"), text, overrides, None if out is None else _path(out, "out"), threads, progress)
+        status, message, history, energy, summary, raised = _gasjet.run(*case_arguments(case, text, set, out), threads, progress)
     except InputError as error:
-        raise InputError(_in_words(str(error))) from None
+        raise InputError(in_words(str(error))) from None
     made = Run(history, energy, json.loads(summary))
     if raised is not None:
         raise _with_run(raised, made)
@@ -115,7 +124,7 @@ def _with_run(error: BaseException, made: Run) -> BaseException:
     return error
 
 
-def _in_words(text: str) -> str:
+def in_words(text: str) -> str:
     """A message of the command, with options renamed to arguments."""
     text = re.sub(r"^--unset (.*?):", r"set: \1=None:", text)
     return re.sub(r"--(columns|tolerance|map)\b", r"\1", re.sub(r"^--(set|out|columns|tolerance) ", r"\1: ", text))
@@ -170,14 +179,14 @@ def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Ma
         try:
             text = _gasjet.compare(*files, None if map is None else _path(map, "map"), ",".join(columns), tolerance)
         except InputError as error:
-            raise InputError(_in_words(_without_file(str(error), folder))) from None
+            raise InputError(in_words(_without_file(str(error), folder))) from None
     difference: Dict[str, Any] = json.loads(text)
     for name, given in (("mine", mine), ("reference", reference)):
         if isinstance(given, (Run, Mapping)):
             difference[name] = "a Run" if isinstance(given, Run) else "a dict"
     for part in (difference, *difference["quantities"].values()):
         if part.get("reason"):
-            part["reason"] = _in_words(part["reason"])
+            part["reason"] = in_words(part["reason"])
     return difference
 
 

@@ -38,7 +38,8 @@ template <class A>
 void load(py::detail::make_caster<A>& caster, py::handle given, const char* name) {
   using Text = std::string;
   constexpr bool takes_none = std::is_same_v<A, py::object> || std::is_same_v<A, std::optional<Text>> ||
-                              std::is_same_v<A, std::optional<Indices>>;
+                              std::is_same_v<A, std::optional<Indices>> ||
+                              std::is_same_v<A, std::optional<std::array<double, 9>>>;
   bool fits = (takes_none || !given.is_none()) && caster.load(given, true);
   if constexpr (std::is_same_v<A, Text>) {  // the library's texts end at a NUL
     fits = fits && py::detail::cast_op<Text&>(caster).find('\0') == Text::npos;

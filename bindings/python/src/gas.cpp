@@ -84,9 +84,9 @@ void advance(const Handle& tank, double time, double volume) {
   unlocked([&] { return gasjet_tank_advance(tank.value, time, volume); });
 }
 
-py::dict tank_state(const Handle& tank) {
-  gasjet_tank_state s;
-  check(gasjet_tank_read(tank.value, &s));
+}  // namespace
+
+py::dict dict_of(const gasjet_tank_state& s) {
   py::dict all;
   all["time_s"] = s.time;
   all["pressure_Pa"] = s.pressure;
@@ -102,6 +102,14 @@ py::dict tank_state(const Handle& tank) {
   all["vent_outflow_kg_s"] = s.vent_outflow;
   all["fabric_outflow_kg_s"] = s.fabric_outflow;
   return all;
+}
+
+namespace {
+
+py::dict tank_state(const Handle& tank) {
+  gasjet_tank_state s;
+  check(gasjet_tank_read(tank.value, &s));
+  return dict_of(s);
 }
 
 py::dict tank_balance(const Handle& tank) {

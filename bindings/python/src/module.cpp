@@ -10,4 +10,5 @@ PYBIND11_MODULE(_gasjet, m) {
   add_bodies(m);
   add_coupling(m);
   add_runs(m);
+  add_simulation(m);
 }

@@ -56,7 +56,12 @@ py::array_t<T> vectors(int64_t count) {
   return py::array_t<T>({static_cast<py::ssize_t>(count), py::ssize_t{3}});
 }
 
+/// The history, the energies and the summary of a run, which Python then owns.
+py::tuple results_of(gasjet_handle run);
+py::dict dict_of(const gasjet_tank_state& state);
+
 void add_gas(py::module_& m);
 void add_bodies(py::module_& m);
 void add_coupling(py::module_& m);
 void add_runs(py::module_& m);
+void add_simulation(py::module_& m);

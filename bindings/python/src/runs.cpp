@@ -1,28 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole runs and the comparison.
 #include "module.hpp"
+#include "watcher.hpp"
 
 namespace {
-
-/// Callback of a run: handles Python's signals first, then calls the user's function. An exception stops the
-/// run.
-struct Watcher {
-  py::object function;
-  std::optional<py::error_already_set> raised;
-
-  static int call(double time, double end, void* user) {
-    auto* watcher = static_cast<Watcher*>(user);
-    const py::gil_scoped_acquire acquire;
-    try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (watcher->function.is_none()) return 0;
-      return py::bool_(watcher->function(time, end)) ? 1 : 0;
-    } catch (py::error_already_set& error) {
-      watcher->raised.emplace(std::move(error));
-      return 1;
-    }
-  }
-};
 
 /// Every column of a table by name, as views into the run.
 py::dict table(const py::object& run, gasjet_handle handle, int number) {
@@ -48,6 +29,15 @@ std::string summary(gasjet_handle run) {
   return text;
 }
 
+}  // namespace
+
+py::tuple results_of(gasjet_handle run) {
+  const py::object owner = py::cast(std::make_unique<Handle>(run));
+  return py::make_tuple(table(owner, run, GASJET_HISTORY), table(owner, run, GASJET_ENERGY), summary(run));
+}
+
+namespace {
+
 /// The exception of a call, or None.
 py::object exception_of(const std::optional<py::error_already_set>& raised) {
   if (!raised) return py::none();
@@ -70,9 +60,8 @@ py::tuple run(const std::string& file, const std::optional<std::string>& text, c
     message = gasjet_last_error();
   }
   if (handle == 0) raise(status, message.c_str());
-  const py::object owner = py::cast(std::make_unique<Handle>(handle));
-  return py::make_tuple(status, message, table(owner, handle, GASJET_HISTORY),
-                        table(owner, handle, GASJET_ENERGY), summary(handle), exception_of(watcher.raised));
+  return py::tuple(py::make_tuple(status, message) + results_of(handle) +
+                   py::make_tuple(exception_of(watcher.raised)));
 }
 
 std::string compare(const std::string& mine, const std::string& reference,

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_object.hpp"
+
+namespace border {
+
+void Sim::watch() {
+  driver::LevelSink files = folder ? folder->sink() : driver::LevelSink{};
+  simulation.watch(
+      [this, files](bool recorded, const driver::State& now) {
+        if (recorded)
+          for (Table& table : tables) table.record(simulation.scene(), now);
+        if (files) files(recorded, now);
+      },
+      folder ? folder->views() : std::vector<driver::LevelView>{});
+}
+
+void Sim::open(const std::string& path, const driver::RunOptions& options) {
+  folder.emplace(*simulation.now().given, path, lines, options);
+  watch();
+}
+
+void Sim::finish() {
+  if (simulation.ended() && simulation.now().failure.empty()) simulation.evaluate();
+  if (!folder) return;
+  driver::RunOutcome outcome = simulation.outcome();
+  folder->end(state(), outcome);
+  folder.reset();
+  watch();
+}
+
+Sim::~Sim() {
+  try {
+    finish();
+  } catch (const std::exception&) {  // a full disk, say: nobody is left to be told
+  }
+}
+
+}  // namespace border
