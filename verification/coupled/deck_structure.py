@@ -103,6 +103,8 @@ RADIOSS_CARDS = {  # title line, then forms; a reference is written kind=field
     "PROP/SH_FABR": (["i10 i10 i10 -30 r20", "r20 r20 r20 r20 r20", "i10 i10 r20 r20 -10 i10",
                       "r20 r20 r20 skew i10 i10 -10 i10", "r20 r20 r20 r20 law i10"], "property"),
     "PROP/KJOINT2": (["i10 r20 r20 r20 i10 skew i10 skew i10", "r20 i10 r20 r20", "r20 i10", "r20 r20 i10"], "property"),
+    "SKEW/FIX": ([VECTOR, VECTOR, VECTOR], "skew"),
+    "CLOAD": (["function i10 s10 skew i10 i10 group i10 -10 r20 r20"], "force"),
     "SKEW/MOV": (["node i10 node i10 node i10 s10"], "skew"),
     "PROP/SPRING": (["r20 -30 i10 i10 i10", "r20 r20 r20 r20 r20", "function i10 i10 i10 i10 i10 -10 r20 r20",
                      "r20 r20 r20 r20"], "property"),

@@ -19,6 +19,10 @@ CARDS = {
     "DAMPING_GLOBAL": ["curve i10 r10 r10 r10 r10 r10 r10 r10"],
     "DAMPING_PART_MASS": ["part i10 curve i10 r10 i10"],
     "DAMPING_PART_STIFFNESS": ["part i10 r10"],
+    "BOUNDARY_SPC_NODE": ["node i10 system i10 i10 i10 i10 i10 i10 i10"],
+    "DEFINE_COORDINATE_VECTOR": ["=system i10 r10 r10 r10 r10 r10 r10 node i10"],
+    "LOAD_RIGID_BODY": ["part i10 i10 curve i10 r10 system i10 node i10 node i10 node i10"],
+    "MAT_DAMPER_VISCOUS": ["=material i10 r10"],
     "BOUNDARY_SPC_SET": ["nodes i10 i10 i10 i10 i10 i10 i10 i10"],
     "RIGIDWALL_PLANAR_ID": [TITLE, "nodes i10 nodes i10 i10 r10 r10 r10 r10", EIGHT],
     "MAT_NULL": ["=material i10 r10 r10 r10 r10 r10 r10 r10"],
@@ -156,6 +160,8 @@ def check_cards(deck, where, keyword, cards):
             fault(where, "strain from the design shape by ISREFG goes with FORM 12, and with no other")
         if cards[0][1] <= 0 or cards[0][2] <= 0 or cards[1][0] <= 0:
             fault(where, "density and moduli above 0 are needed")
+    elif keyword == "MAT_RIGID" and cards[1][0] == -1.0:  # held in axes of its own
+        deck.name(where, "system", cards[1][1])
     elif keyword == "CONSTRAINED_JOINT_REVOLUTE_ID":
         deck.joints.append((where, cards[1][:4]))
     elif keyword.startswith("PART"):

@@ -23,8 +23,10 @@ std::string without_idle_zeros(std::string text) {
   return text;
 }
 
-void require_finite(double value) {
+// The value, where -0 is 0.
+double finite(double value) {
   if (!std::isfinite(value)) throw std::logic_error(fmt::format("a deck cannot represent {}", value));
+  return value + 0.0;
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ Field whole(long value, std::size_t width) {
 }
 
 Field real(double value, std::size_t width) {
-  require_finite(value);
+  value = finite(value);
   constexpr int digits = 15;
   for (int precision = digits; precision > 0; --precision) {
     std::string text = fmt::format("{:.{}g}", value, precision);
@@ -45,7 +47,7 @@ Field real(double value, std::size_t width) {
 }
 
 Field narrow(double value) {
-  require_finite(value);
+  value = finite(value);
   constexpr std::size_t width = 10;
   constexpr int digits = 15;
   std::string best;

@@ -9,16 +9,14 @@
 #include <numbers>
 
 #include "deck_gas.hpp"
+#include "deck_impactor.hpp"
 #include "export/cards.hpp"
 #include "export/deck_fabric.hpp"
 #include "jet/centreline.hpp"
-#include "mesh/icosphere.hpp"
 
 namespace driver {
 namespace {
 
-constexpr int sphere_levels = 3;    // 1280 elements
-constexpr double gap_share = 0.02;  // share of the radius
 constexpr double degrees = std::numbers::pi / 180.0;
 
 void add_parts(const BagPart& bag, Deck& deck) {
@@ -32,48 +30,6 @@ void add_parts(const BagPart& bag, Deck& deck) {
     for (const int e : part.elements) part.area += areas(e);
     deck.parts.push_back(std::move(part));
   }
-}
-
-void add_pendulum(const coupling::PendulumParameters& p, Deck& deck) {
-  constexpr double least = 1e-9;  // share of the inertia of a point mass at the centre of gravity, about the
-                                  // pivot
-  const double radius = p.impactor_radius;
-  deck.inertia = std::max(p.inertia_cg, least * p.mass * p.cg_distance * p.cg_distance);
-  deck.contact_gap = gap_share * radius;
-  deck.sphere = mesh::icosphere(radius - deck.contact_gap, sphere_levels);
-  double nearest = radius;
-  for (Eigen::Index e = 0; e < deck.sphere.elements.cols(); ++e) {
-    const Eigen::Vector3d middle = (deck.sphere.nodes.col(deck.sphere.elements(0, e)) +
-                                    deck.sphere.nodes.col(deck.sphere.elements(1, e)) +
-                                    deck.sphere.nodes.col(deck.sphere.elements(2, e))) /
-                                   3.0;
-    nearest = std::min(nearest, middle.norm());
-  }
-  deck.notes.push_back(
-      {"pendulum.impactor_radius",
-       fmt::format("the sphere is made of {} flat triangles, up to {:.2g} of the radius inside it",
-                   deck.sphere.elements.cols(), 1.0 - (nearest + deck.contact_gap) / radius)});
-}
-
-// Notes that contact acts on the bag's nodes. Between the nodes of an equilateral triangle of edge L, a
-// sphere of radius R sinks in by L^2/(6 R) before it meets one, as their circle has the radius L/sqrt(3).
-void note_contact(const Scene& scene, Deck& deck) {
-  const mesh::Mesh& mesh = scene.bag->mesh;
-  double longest = 0.0;
-  for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e)
-    for (Eigen::Index i = 0; i < 3; ++i)
-      longest = std::max(
-          longest,
-          (mesh.nodes.col(mesh.elements(i, e)) - mesh.nodes.col(mesh.elements((i + 1) % 3, e))).norm());
-  const double radius = scene.pendulum->model.parameters().impactor_radius;
-  const double depth = longest * longest / (6.0 * radius);
-  if (depth <= deck.contact_gap) return;
-  deck.notes.push_back(
-      {"membrane.mesh",
-       fmt::format(
-           "contact acts on the bag's nodes only: the longest edge is {:.3g} m, the impactor's radius {:.3g} "
-           "m, so it sinks in by up to {:.2g} m between nodes; use edges below {:.2g} m",
-           longest, radius, depth, std::sqrt(6.0 * radius * deck.contact_gap))});
 }
 
 void note_self_contact(const Scene& scene, Deck& deck) {
@@ -143,13 +99,7 @@ Deck make_deck(const Scene& scene, DeckFormat format) {
   add_parts(*scene.bag, deck);
   if (scene.gas) add_gas(scene, deck);
   if (scene.bag->overpressure) deck.overpressure = knots_of(*scene.bag->overpressure, 0.0, scene.time.end);
-  if (scene.pendulum && scene.pendulum->path != "pendulum")
-    throw CaseError(
-        fmt::format("{}: impactor: decks have the sphere of [pendulum] only", scene.case_file.string()));
-  if (scene.pendulum) add_pendulum(scene.pendulum->model.parameters(), deck);
-  if (scene.pendulum && scene.pendulum->driving_moment)
-    deck.notes.push_back({"pendulum.driving_moment", "is not written: load the rigid body by hand"});
-  if (scene.contact && scene.pendulum) note_contact(scene, deck);
+  add_impactor(scene, deck);
   if (scene.skin_contact) note_self_contact(scene, deck);
   add_fabric(*scene.bag, deck);
   if (scene.name.size() > title_columns)

@@ -14,18 +14,20 @@ DeckIds::DeckIds(const Deck& deck) {
   const mesh::Mesh& mesh = deck.scene->bag->mesh;
   const int straps = static_cast<int>(deck.scene->bag->model.description.straps.size());
   const int panels = static_cast<int>(mesh.panel_names.size());
-  sphere_node = mesh.node_count() + 1;
-  cg = sphere_node + deck.sphere.node_count();
+  const int surface_nodes = deck.impactor ? deck.impactor->surface.node_count() : 0;
+  const int surface_elements = deck.impactor ? deck.impactor->surface.element_count() : 0;
+  impactor_node = mesh.node_count() + 1;
+  cg = impactor_node + surface_nodes;
   pivot = cg + 1;
   along = cg + 2;
-  across = cg + 3;
+  centre = cg + 3;
   support = cg + 4;  // and three more
   strap_element = mesh.element_count() + 1;
-  sphere_element = strap_element + straps;
-  joint_element = sphere_element + deck.sphere.element_count();
+  impactor_element = strap_element + straps;
+  carrier_element = impactor_element + surface_elements;
   strap_part = panels + 1;
-  sphere_part = strap_part + straps;
-  joint_part = sphere_part + 1;
+  impactor_part = strap_part + straps;
+  carrier_part = impactor_part + 1;
 }
 
 std::vector<HeldNodes> held_nodes(const Deck& deck) {
@@ -52,9 +54,9 @@ std::vector<int> bag_nodes(const Deck& deck, bool free_only) {
   return free;
 }
 
-std::vector<int> sphere_nodes(const Deck& deck, const DeckIds& ids) {
-  std::vector<int> nodes(static_cast<std::size_t>(deck.sphere.node_count()));
-  std::iota(nodes.begin(), nodes.end(), ids.sphere_node);
+std::vector<int> impactor_nodes(const Deck& deck, const DeckIds& ids) {
+  std::vector<int> nodes(static_cast<std::size_t>(deck.impactor->surface.node_count()));
+  std::iota(nodes.begin(), nodes.end(), ids.impactor_node);
   return nodes;
 }
 

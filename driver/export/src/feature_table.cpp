@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tables of how decks represent each key.
-#include "export/feature.hpp"
+#include "feature_outcomes.hpp"
 
 namespace driver {
 namespace {
 
-constexpr Outcome same{Mapping::exact, "as in the case"};
+using outcomes::in_deck, outcomes::own_penalty, outcomes::same;
 constexpr Outcome no_inflow{Mapping::none, "no gas flows in from outside"};
 constexpr Outcome adiabatic{Mapping::none, "the walls are adiabatic"};
 constexpr Outcome lost_heat{Mapping::none, "the walls are adiabatic", true};
 constexpr Outcome stiff_wall{Mapping::none, "the wall is infinitely stiff", true};
-constexpr Outcome in_deck{Mapping::exact, "input of the deck's numbers"};
 constexpr Outcome solver{Mapping::none,
                          "of this program's own solution; the other program has its own settings"};
 constexpr Outcome output{Mapping::none, "of this program's own results; the other program has its own"};
@@ -29,10 +28,6 @@ constexpr Outcome law{
     "linear law of logarithmic strain, woven fabric of linear strain: exact for Hencky while taut, for St. "
     "Venant-Kirchhoff to first order of strain"};
 constexpr Outcome shape{Mapping::exact, "start shape as nodes, design shape as reference geometry"};
-constexpr Outcome sphere{Mapping::approximated, "a sphere of flat triangles, by the size below"};
-constexpr Outcome no_impactor{Mapping::none, "not written: add the rigid body and its contact by hand", true};
-constexpr Outcome no_field{Mapping::none, "not written: load the parts over time by hand", true};
-constexpr Outcome own_penalty{Mapping::approximated, "contact by node with the program's own penalty"};
 constexpr Outcome fabric_law{Mapping::approximated,
                              "the program's fabric in Green-Lagrange strain (FORM 12) for St. "
                              "Venant-Kirchhoff, in its invariant frame "
@@ -48,15 +43,17 @@ constexpr Outcome one_opening{
     Mapping::approximated,
     "one opening with a coefficient of time and an area of pressure: exact unless a vent is named below"};
 
+std::vector<Feature> with_impactors(std::vector<Feature> table) {
+  table.insert(table.end(), features_of_impactors().begin(), features_of_impactors().end());
+  return table;
+}
+
 }  // namespace
 
 const std::vector<Feature>& features() {
-  static const std::vector<Feature> table{
+  static const std::vector<Feature> table = with_impactors({
       {"scene.name", same, same},
       {"scene.end_time", same, same},
-      {"scene.gravity", same, same},
-      {"scene.gravity.time", no_field, no_field},
-      {"scene.gravity.value", no_field, no_field},
       {"scene.format", solver, solver},
       {"ambient.pressure", same, same},
       {"ambient.temperature", no_inflow, no_inflow},
@@ -233,25 +230,6 @@ const std::vector<Feature>& features() {
        {Mapping::exact, "spring by a curve: no force below its free length"}},
       {"membrane.strap.free_length", same, same},
       {"target", tank, tank},
-      {"pendulum.pivot",
-       {Mapping::approximated, "joint by a penalty"},
-       {Mapping::approximated, "joint by a penalty"}},
-      {"pendulum.axis", same, same},
-      {"pendulum.rest_direction", same, same},
-      {"pendulum.mass", same, same},
-      {"pendulum.inertia_cg", same, same},
-      {"pendulum.cg_distance", same, same},
-      {"pendulum.impactor_distance", same, same},
-      {"pendulum.impactor_radius", sphere, sphere},
-      {"pendulum.initial_angle", same, same},
-      {"pendulum.initial_angular_velocity", same, same},
-      {"pendulum.driving_moment",
-       {Mapping::none, "load the rigid body by hand"},
-       {Mapping::none, "load the rigid body by hand"}},
-      {"impactor", no_impactor, no_impactor},
-      {"contact.stiffness", own_penalty, own_penalty},
-      {"contact.stiffness_share", own_penalty, own_penalty},
-      {"contact.friction", same, same},
       {"time", solver, solver},
       {"output.history_every", same, same},
       {"output.history_exact", output, output},
@@ -262,7 +240,7 @@ const std::vector<Feature>& features() {
        {Mapping::exact, "intervals between pictures"}},
       {"output.fields_every", output, output},
       {"output.self_intersection_every", output, output},
-  };
+  });
   return table;
 }
 

@@ -49,7 +49,7 @@ std::string LsDynaDeck::text() {
   write_lsdyna_fabric(deck_, out_);
   write_lsdyna_straps(deck_, out_);
   supports();
-  if (deck_.scene->pendulum) write_lsdyna_pendulum(deck_, out_);
+  if (deck_.impactor) write_lsdyna_impactor(deck_, out_);
   if (deck_.scene->skin_contact) self_contact();
   if (deck_.scene->gas) write_lsdyna_airbag(deck_, out_);
   loads();
@@ -120,8 +120,7 @@ void LsDynaDeck::plate(const membrane::Plate& wall) {
 void LsDynaDeck::damping() {
   const membrane::BagDescription& d = bag().model.description;
   const double rate = d.mass_damping * u_.time, beta = d.stiffness_damping / u_.time;
-  const bool of_parts = deck_.scene->pendulum.has_value();  // gravity acts on the bag only, not on the
-                                                            // pendulum
+  const bool of_parts = deck_.impactor.has_value();  // acts on the bag only, not on the impactor
   if (rate > 0.0 && !of_parts) {
     out_.keyword("DAMPING_GLOBAL");
     out_.row({{"LCID", whole(0, 10)}, {"VALDMP", narrow(rate)}});
@@ -175,11 +174,18 @@ void LsDynaDeck::pressure() {
 void LsDynaDeck::loads() {
   if (deck_.overpressure) pressure();
   const Eigen::Vector3d g = deck_.scene->gravity / u_.acceleration();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (g(axis) == 0.0) continue;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    int curve = constant_one;
+    double scale = g[static_cast<Eigen::Index>(axis)];
+    if (!deck_.field[axis].empty()) {
+      curve = out_.next_curve();
+      out_.curve(curve, deck_.field[axis], u_.time, u_.acceleration());
+      scale = 1.0;
+    }
+    if (scale == 0.0) continue;
     out_.keyword(fmt::format("LOAD_BODY_{}", "XYZ"[axis]));
     // The card gives the acceleration of the frame; the load points the other way.
-    out_.row({{"LCID", whole(constant_one, 10)}, {"SF", narrow(-g(axis))}});
+    out_.row({{"LCID", whole(curve, 10)}, {"SF", narrow(-scale)}});
   }
 }
 
@@ -188,22 +194,24 @@ void LsDynaDeck::requests() {
   constexpr int text_and_binary = 3;
   std::vector<const char*> histories{"GLSTAT", "MATSUM"};
   if (scene.gas) histories.push_back("ABSTAT");
-  if (scene.pendulum)
-    for (const char* name : {"RBDOUT", "JNTFORC", "NODOUT"}) histories.push_back(name);
-  if (scene.contact && scene.pendulum) histories.push_back("RCFORC");
+  if (scene.has_impactor())
+    for (const char* name : {"RBDOUT", "NODOUT"}) histories.push_back(name);
+  if (scene.pendulum) histories.push_back("JNTFORC");
+  if (scene.contact) histories.push_back("RCFORC");
   if (!bag().model.description.plates.empty() && !bag_nodes(deck_, true).empty())
     histories.push_back("RWFORC");
-  if (!bag().model.description.straps.empty()) histories.push_back("DEFORC");
+  const bool springs = deck_.impactor && !deck_.impactor->springs.empty();
+  if (!bag().model.description.straps.empty() || springs) histories.push_back("DEFORC");
   for (const char* name : histories) {
     out_.keyword(fmt::format("DATABASE_{}", name));
     out_.row({{"DT", narrow(scene.output.history_every / u_.time)}, {"BINARY", whole(text_and_binary, 10)}});
   }
   out_.keyword("DATABASE_BINARY_D3PLOT");
   out_.row({{"DT", narrow(scene.time.end / std::max(1, scene.output.frames) / u_.time)}});
-  if (!scene.pendulum) return;
+  if (!scene.has_impactor()) return;
   out_.keyword("DATABASE_HISTORY_NODE");
   const DeckIds ids(deck_);
-  out_.row({{"ID1", whole(ids.across, 10)}, {"ID2", whole(ids.pivot, 10)}});
+  out_.row({{"ID1", whole(ids.centre, 10)}, {"ID2", whole(scene.pendulum ? ids.pivot : 0, 10)}});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Keywords of an LS-DYNA deck, and the writers of its blocks.
 #pragma once
 
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -24,6 +25,7 @@ struct LsDynaIds {
     first_held_set
   };                                      // parts; shells; nodes
   static constexpr int constant_one = 1;  // curve
+  static constexpr int local_system = 1;  // of coordinates
 };
 
 /// A contact by its first three cards; their numbers stand in the program's manual.
@@ -58,6 +60,9 @@ class LsDynaCards : public Cards {
   void node(int id, const Eigen::Vector3d& x);
   void set(const char* kind, int id, const std::vector<int>& members);
   void part(int id, std::string_view name);
+  /// The part of a discrete element, with its section and the element itself between two nodes. The material
+  /// has the part's number.
+  void discrete(int id, std::string_view name, int element, std::array<int, 2> nodes);
   void contact(const LsDynaContact& contact);
   void triangles(int part_id, int first_element, int first_node, const Eigen::Matrix3Xi& corners,
                  const std::vector<int>& elements);
@@ -83,7 +88,7 @@ LsDynaVents lsdyna_vents(const Deck& deck);
 void write_lsdyna_fabric(const Deck& deck, LsDynaCards& out);
 void write_lsdyna_straps(const Deck& deck, LsDynaCards& out);
 void write_lsdyna_airbag(const Deck& deck, LsDynaCards& out);
-/// The pendulum with its joint and contact.
-void write_lsdyna_pendulum(const Deck& deck, LsDynaCards& out);
+/// The impactor with what carries it, its load and its contact.
+void write_lsdyna_impactor(const Deck& deck, LsDynaCards& out);
 
 }  // namespace driver

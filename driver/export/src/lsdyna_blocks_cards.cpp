@@ -67,6 +67,27 @@ void LsDynaCards::part(int id, std::string_view name) {
   row({{"PID", whole(id, 10)}, {"SECID", whole(id, 10)}, {"MID", whole(id, 10)}});
 }
 
+void LsDynaCards::discrete(int id, std::string_view name, int element, std::array<int, 2> nodes) {
+  keyword("SECTION_DISCRETE");
+  row({{"SECID", whole(id, 10)},
+       {"DRO", whole(0, 10)},
+       {"KD", narrow(0.0)},
+       {"V0", narrow(0.0)},
+       {"CL", narrow(0.0)},
+       {"FD", narrow(0.0)}});
+  row({{"CDL", narrow(0.0)}, {"TDL", narrow(0.0)}});
+  part(id, name);
+  keyword("ELEMENT_DISCRETE");
+  row({{"EID", whole(element, 8)},
+       {"PID", whole(id, 8)},
+       {"N1", whole(nodes[0], 8)},
+       {"N2", whole(nodes[1], 8)},
+       {"VID", whole(0, 8)},
+       {"S", real(1.0, 16)},
+       {"PF", whole(0, 8)},
+       {"OFFSET", real(0.0, 16)}});
+}
+
 void LsDynaCards::triangles(int part_id, int first_element, int first_node, const Eigen::Matrix3Xi& corners,
                             const std::vector<int>& elements) {
   keyword("ELEMENT_SHELL");

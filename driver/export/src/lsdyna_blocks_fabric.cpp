@@ -185,24 +185,7 @@ void write_lsdyna_straps(const Deck& deck, LsDynaCards& out) {
     out.curve(force, force_of(deck, strap), u.length, u.force());
     out.keyword("MAT_SPRING_NONLINEAR_ELASTIC");
     out.row({{"MID", whole(id, 10)}, {"LCD", whole(force, 10)}});
-    out.keyword("SECTION_DISCRETE");
-    out.row({{"SECID", whole(id, 10)},
-             {"DRO", whole(0, 10)},
-             {"KD", narrow(0.0)},
-             {"V0", narrow(0.0)},
-             {"CL", narrow(0.0)},
-             {"FD", narrow(0.0)}});
-    out.row({{"CDL", narrow(0.0)}, {"TDL", narrow(0.0)}});
-    out.part(id, "strap");
-    out.keyword("ELEMENT_DISCRETE");
-    out.row({{"EID", whole(ids.strap_element + number, 8)},
-             {"PID", whole(id, 8)},
-             {"N1", whole(strap.node_a + 1, 8)},
-             {"N2", whole(strap.node_b + 1, 8)},
-             {"VID", whole(0, 8)},
-             {"S", real(1.0, 16)},
-             {"PF", whole(0, 8)},
-             {"OFFSET", real(0.0, 16)}});
+    out.discrete(id, "strap", ids.strap_element + number, {strap.node_a + 1, strap.node_b + 1});
   }
 }
 

@@ -40,7 +40,7 @@ std::string RadiossStarter::text() {
   write_radioss_fabric(deck_, out_);
   write_radioss_straps(deck_, out_);
   supports();
-  if (deck_.scene->pendulum) write_radioss_pendulum(deck_, out_);
+  if (deck_.impactor) write_radioss_impactor(deck_, out_);
   surfaces();
   if (deck_.scene->skin_contact) self_contact();
   if (deck_.scene->gas) write_radioss_airbag(deck_, out_);
@@ -137,18 +137,25 @@ void RadiossStarter::pressure() {
 void RadiossStarter::loads() {
   if (deck_.overpressure) pressure();
   const Eigen::Vector3d g = deck_.scene->gravity / u_.acceleration();
-  if (g.isZero(0.0)) return;
+  const auto is_zero = [](const DeckCurve& curve) { return curve.empty(); };
+  if (g.isZero(0.0) && std::ranges::all_of(deck_.field, is_zero)) return;
   std::vector<int> heavy = bag_nodes(deck_, false);
-  if (deck_.scene->pendulum) heavy.push_back(DeckIds(deck_).cg);
+  if (deck_.impactor) heavy.push_back(DeckIds(deck_).cg);
   out_.group(heavy_nodes, "nodes with weight", heavy);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (g(axis) == 0.0) continue;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    int curve = constant_one;
+    double scale = g[static_cast<Eigen::Index>(axis)];
+    if (!deck_.field[axis].empty()) {
+      curve = out_.function("gravity over time", deck_.field[axis], u_.time, u_.acceleration());
+      scale = 1.0;
+    }
+    if (scale == 0.0) continue;
     out_.title(fmt::format("/GRAV/{}", axis + 1), "gravity");
     out_.line(
         "#funct_IDT       DIR   skew_ID sensor_ID  grnod_ID                      Ascale_x            "
         "Fscale_Y");
-    out_.card({whole(constant_one, 10), word(std::string(1, "XYZ"[axis]), 10), whole(0, 10), whole(0, 10),
-               whole(heavy_nodes, 10), blank(10), real(1.0, 20), real(g(axis), 20)});
+    out_.card({whole(curve, 10), word(std::string(1, "XYZ"[axis]), 10), whole(0, 10), whole(0, 10),
+               whole(heavy_nodes, 10), blank(10), real(1.0, 20), real(scale, 20)});
   }
 }
 
@@ -160,10 +167,12 @@ void RadiossStarter::request(std::string_view header, std::string_view variables
 
 void RadiossStarter::requests() {
   if (deck_.scene->gas) request("/TH/MONV/1", "MASS      VOL       P         A         T         ", 1);
-  if (deck_.scene->pendulum)
+  if (deck_.scene->body)
+    request("/TH/RBODY/5", "DX        DY        DZ        VX        VY        VZ        ", 1);
+  if (deck_.impactor)
     request("/TH/RBODY/2",
             "RX        RY        RZ        VRX       VRY       VRZ       AX        AY        AZ        ", 1);
-  if (deck_.scene->contact && deck_.scene->pendulum) request("/TH/INTER/3", "DEF       ", 1);
+  if (deck_.scene->contact) request("/TH/INTER/3", "DEF       ", 1);
   if (!bag().model.description.plates.empty() && !bag_nodes(deck_, true).empty())
     request("/TH/RWALL/4", "DEF       ", 1);
 }

@@ -30,10 +30,10 @@ void RadiossCards::group(Group id, std::string_view name, const std::vector<int>
   list(nodes, 10);
 }
 
-void RadiossCards::hold(int id, std::string_view code, Group nodes) {
+void RadiossCards::hold(int id, std::string_view code, Group nodes, int axes) {
   title(fmt::format("/BCS/{}", id), "held");
   line("#  Tra rot   skew_ID  grnod_ID");
-  card({word(code, 10), whole(0, 10), whole(nodes, 10)});
+  card({word(code, 10), whole(axes, 10), whole(nodes, 10)});
 }
 
 void RadiossCards::triangles(int part_id, int first_element, int first_node, const Eigen::Matrix3Xi& corners,
@@ -43,6 +43,29 @@ void RadiossCards::triangles(int part_id, int first_element, int first_node, con
   for (const int e : elements)
     card({whole(first_element + e, 10), whole(first_node + corners(0, e), 10),
           whole(first_node + corners(1, e), 10), whole(first_node + corners(2, e), 10)});
+}
+
+void RadiossCards::spring(const RadiossSpring& s) {
+  const int curve = function(fmt::format("force of a {}", s.name), s.force, u_.length, u_.force());
+  title(fmt::format("/PROP/SPRING/{}", s.property), s.name);
+  line("#               MASS                                 sens_ID    Isflag     Ileng");
+  card({real(s.mass / u_.mass, 20), blank(30), whole(0, 10), whole(0, 10), whole(0, 10)});
+  line(
+      "#                  K                   C                   A                   B                   "
+      "D");
+  card({real(s.stiffness / u_.stiffness(), 20), real(s.damping / (u_.force() / u_.velocity()), 20),
+        real(1.0, 20), real(0.0, 20), real(0.0, 20)});
+  line(
+      "# fct_ID11        H1  fct_ID21  fct_ID31  fct_ID41                      DeltaMin            "
+      "DeltaMax");
+  card({whole(curve, 10), whole(0, 10), whole(0, 10), whole(0, 10), whole(0, 10), blank(10), real(0.0, 20),
+        real(0.0, 20)});
+  line("#                 F1                  E1             AScale1             HScale1");
+  card({real(0.0, 20), real(0.0, 20), real(0.0, 20), real(0.0, 20)});
+  part(s.part, s.name, s.property, 0);
+  line(fmt::format("/SPRING/{}", s.part));
+  line("#sprg_ID   node_ID1  node_ID2");
+  card({whole(s.element, 10), whole(s.nodes[0], 10), whole(s.nodes[1], 10)});
 }
 
 int RadiossCards::function(std::string_view name, const DeckCurve& curve, double x_unit, double y_unit) {

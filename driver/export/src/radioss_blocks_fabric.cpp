@@ -198,35 +198,19 @@ void write_radioss_fabric(const Deck& deck, RadiossCards& out) {
 
 void write_radioss_straps(const Deck& deck, RadiossCards& out) {
   const membrane::BagModel& bag = deck.scene->bag->model;
-  const auto& straps = bag.description.straps;
-  const Units& u = out.units();
+  constexpr double light = 1e-6;  // share of the fabric's mass
   const DeckIds ids(deck);
-  for (std::size_t i = 0; i < straps.size(); ++i) {
-    const membrane::Strap& strap = straps[i];
-    const int number = static_cast<int>(i), property = RadiossIds::strap_property + number;
-    const int curve = out.function("force of a strap", force_of(deck, strap), u.length, u.force());
-    out.title(fmt::format("/PROP/SPRING/{}", property), "strap");
-    constexpr double light = 1e-6;  // share of the fabric's mass
-    out.line("#               MASS                                 sens_ID    Isflag     Ileng");
-    out.card(
-        {real(light * bag.fabric_mass / u.mass, 20), blank(30), whole(0, 10), whole(0, 10), whole(0, 10)});
-    out.line(
-        "#                  K                   C                   A                   B                   "
-        "D");
-    out.card({real(strap.stiffness / u.stiffness(), 20), real(0.0, 20), real(1.0, 20), real(0.0, 20),
-              real(0.0, 20)});
-    out.line(
-        "# fct_ID11        H1  fct_ID21  fct_ID31  fct_ID41                      DeltaMin            "
-        "DeltaMax");
-    out.card({whole(curve, 10), whole(0, 10), whole(0, 10), whole(0, 10), whole(0, 10), blank(10),
-              real(0.0, 20), real(0.0, 20)});
-    out.line("#                 F1                  E1             AScale1             HScale1");
-    out.card({real(0.0, 20), real(0.0, 20), real(0.0, 20), real(0.0, 20)});
-    out.part(ids.strap_part + number, "strap", property, 0);
-    out.line(fmt::format("/SPRING/{}", ids.strap_part + number));
-    out.line("#sprg_ID   node_ID1  node_ID2");
-    out.card(
-        {whole(ids.strap_element + number, 10), whole(strap.node_a + 1, 10), whole(strap.node_b + 1, 10)});
+  int number = 0;
+  for (const membrane::Strap& strap : bag.description.straps) {
+    out.spring({.property = RadiossIds::strap_property + number,
+                .part = ids.strap_part + number,
+                .element = ids.strap_element + number,
+                .name = "strap",
+                .nodes = {strap.node_a + 1, strap.node_b + 1},
+                .mass = light * bag.fabric_mass,
+                .stiffness = strap.stiffness,
+                .force = force_of(deck, strap)});
+    ++number;
   }
 }
 

@@ -7,8 +7,8 @@
 #include <functional>
 #include <string_view>
 
-#include "impactor_picture.hpp"
 #include "jet_loads.hpp"
+#include "results/impactor_picture.hpp"
 #include "results/results.hpp"
 
 namespace driver {

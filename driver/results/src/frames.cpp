@@ -12,9 +12,9 @@
 #include <span>
 
 #include "base/formats.hpp"
-#include "impactor_picture.hpp"
 #include "jet/jet.hpp"
 #include "jet_loads.hpp"
+#include "results/impactor_picture.hpp"
 #include "results/results.hpp"
 #include "target_picture.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "impactor_picture.hpp"
+#include "results/impactor_picture.hpp"
 
 #include <cmath>
 #include <elementary/trigonometric.hpp>

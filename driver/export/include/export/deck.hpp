@@ -87,6 +87,32 @@ struct DeckThread {
   double steepest = 0.0;  // [Pa] slope of the steepest piece of the case's curve
 };
 
+/// A spring of a rail between a node that does not move and the impactor, one behind the other along the
+/// rail, so that it gets longer by the displacement.
+struct DeckSpring {
+  DeckCurve force;         // [N] over displacement [m]
+  double stiffness = 0.0;  // [N/m]
+  double damping = 0.0;    // [N s/m]; 0 for a stop, whose damper decks lack
+};
+
+/// A rigid impactor at the start, in space.
+struct DeckImpactor {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();            // [m] of the shape
+  mesh::Mesh surface;                                          // inside the shape by `gap`
+  double gap = 0.0;                                            // [m] within which contact acts
+  double mass = 0.0;                                           // [kg]
+  Eigen::Vector3d cg = Eigen::Vector3d::Zero();                // [m] centre of gravity
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();           // [kg m2] about it; positive definite
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // [m/s] of it
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // [rad/s]
+  bool on_rail = false;
+  /// Columns: right-handed axes, x along the rail or the pendulum's axis; of a free body those of space.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  DeckCurve load;                   // [N] along that x, or [N m] about it, over time; may be empty
+  std::vector<DeckSpring> springs;  // of a rail
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  // [m] their node that does not move
+};
+
 struct Deck {
   const Scene* scene = nullptr;
   DeckFormat format = DeckFormat::radioss;
@@ -97,10 +123,9 @@ struct Deck {
   std::vector<DeckInflator> inflators;
   std::vector<DeckVent> vents;
   std::vector<DeckLeak> leaks;
-  mesh::Mesh sphere;         // mesh of the impactor, about its centre; empty without an impactor
-  double inertia = 0.0;      // [kg m2] of the pendulum about its centre of gravity; above 0, as a body needs
-                             // it
-  double contact_gap = 0.0;  // [m] within which contact acts, outside the sphere's mesh
+  std::optional<DeckImpactor> impactor;
+  std::array<DeckCurve, 3>
+      field;  // [m/s2] components of gravity over time [s], in place of the scene's constant
   std::vector<DeckNote> notes;
   std::vector<DeckOmission> omissions;
 };

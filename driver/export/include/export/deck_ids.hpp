@@ -12,11 +12,12 @@ namespace driver {
 /// Numbers of the objects that both decks have besides the bag. The bag's nodes and elements begin at 1.
 struct DeckIds {
   explicit DeckIds(const Deck& deck);
-  int sphere_node = 0, cg = 0, pivot = 0, along = 0, across = 0, support = 0;  // nodes; the first one of the
-                                                                               // sphere
-  int sphere_element = 0, strap_element = 0, joint_element = 0;                // the first element of each
-  int sphere_part = 0, strap_part = 0, joint_part = 0;                         // parts; the first one of the
-                                                                               // straps
+  // Nodes: the first one of the impactor's surface, its centre of gravity, and a node of it at its centre;
+  // two of a pendulum on its axis; the first one of what does not move.
+  int impactor_node = 0, cg = 0, centre = 0, pivot = 0, along = 0, support = 0;
+  // The first element of each, and part; carrier: joint of a pendulum, or springs of a rail.
+  int impactor_element = 0, strap_element = 0, carrier_element = 0;
+  int impactor_part = 0, strap_part = 0, carrier_part = 0;
 };
 
 /// Numbers of the bag's nodes, from 1; with `free_only`, without the fixed ones.
@@ -29,7 +30,8 @@ struct HeldNodes {
 };
 /// All held nodes, each once.
 std::vector<HeldNodes> held_nodes(const Deck& deck);
-std::vector<int> sphere_nodes(const Deck& deck, const DeckIds& ids);
+/// Numbers of the nodes of the impactor's surface.
+std::vector<int> impactor_nodes(const Deck& deck, const DeckIds& ids);
 /// Numbers of the nodes of elements of the bag, rising.
 std::vector<int> corners_of(const Deck& deck, const std::vector<int>& elements);
 

@@ -30,6 +30,8 @@ struct Feature {
 
 /// The whole table.
 const std::vector<Feature>& features();
+/// Its rows of impactors and what moves them.
+const std::vector<Feature>& features_of_impactors();
 /// Rows that take precedence for fabric by measured curves.
 const std::vector<Feature>& features_of_curves();
 /// True for a fabric law that the table describes.
