@@ -3,10 +3,12 @@
 import json
 import math
 import tomllib
+from pathlib import Path
 
 import pytest
 from command import ROOT, has, numbers, ok, refused
 from deck_impactor import FILES, cross, read_impactor, unit
+from small_decks import lsdyna, row, taken
 
 forms = pytest.mark.parametrize("form", FILES)
 BAG = "cases/guided_headform.toml"
@@ -227,6 +229,29 @@ def test_decks_impactor_notes(form):
     assert has(f"{out}/export.md", "`impactor.shape`: the surface is made of 1088 flat triangles")
     assert not has(f"{out}/export.md", "by hand")
     assert not has(f"{exported('pendulum', form)[0]}/export.md", "by hand")
+
+
+@forms
+def test_decks_gravity_read_back(form):
+    """Gravity over time is that of the case again, and its jumps stay."""
+    out, _ = exported("rail_stop", form)
+    ok(f"import {out}/{FILES[form]} --out back")
+    (path,) = Path("back").glob("*.toml")
+    table = tomllib.loads(path.read_text())["scene"]["gravity"]
+    for axis in range(3):
+        for t in [i * 1e-3 for i in range(90)]:
+            wanted = value_at(list(zip(PULSE["time"], [row[axis] for row in PULSE["value"]])), t)
+            assert abs(value_at(list(zip(table["time"], [row[axis] for row in table["value"]])), t) - wanted) < 0.05  # a jump in 1e-7 s
+
+
+def test_decks_gravity_jump():
+    curve = "*DEFINE_CURVE\n" + row(5) + "".join(row(*knot, width=20) for knot in ((0.0, 0.0), (5.0, 2.0), (5.0, 1.0), (8.0, 1.0)))
+    scene = tomllib.loads(taken(lsdyna(more=curve + "*LOAD_BODY_Z\n" + row(5, 0.00981))))["scene"]["gravity"]
+    assert scene["time"] == pytest.approx([0.0, 5e-3, 5e-3, 8e-3, 20e-3]) and [g[:2] for g in scene["value"]] == [[0.0, 0.0]] * 5
+    assert [g[2] for g in scene["value"]] == pytest.approx([0.0, -19.62, -9.81, -9.81, -9.81])
+    flat = "*DEFINE_CURVE\n" + row(5) + row(0.0, 1.0, width=20) + row(5.0, 1.0, width=20)
+    scene = tomllib.loads(taken(lsdyna(more=flat + "*LOAD_BODY_Z\n" + row(5, 0.00981)), out="flat"))["scene"]["gravity"]
+    assert scene == pytest.approx([0.0, 0.0, -9.81])
 
 
 @pytest.mark.parametrize("says, more", [

@@ -5,6 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
 
 #include "base/case_reader.hpp"
 #include "case_blocks.hpp"
@@ -34,12 +37,56 @@ std::string quoted_list(const std::vector<std::string>& names) {
   return fmt::format("[{}]", fmt::join(all, ", "));
 }
 
+// Factor of gravity just before or just after a time.
+double factor_at(const Knots& knots, double time, bool after) {
+  if (knots.empty()) return 1.0;
+  const auto is_before = [&](const auto& knot) { return after ? knot[0] <= time : knot[0] < time; };
+  const auto next = std::ranges::partition_point(knots, is_before);
+  if (next == knots.begin()) return knots.front()[1];
+  if (next == knots.end()) return knots.back()[1];
+  const std::array<double, 2>& last = *std::prev(next);
+  return last[1] + ((*next)[1] - last[1]) * ((time - last[0]) / ((*next)[0] - last[0]));
+}
+
+Eigen::Vector3d gravity_at(const BagDeck& bag, double time, bool after) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const BagGravity& gravity : bag.gravity) sum += factor_at(gravity.factor, time, after) * gravity.along;
+  return sum;
+}
+
+// A vector if it is constant, else a row for each knot of any curve within the run, two at a jump.
+void gravity_line(const BagDeck& bag, CaseText& out) {
+  std::set<double> times{0.0, bag.end_time};
+  for (const BagGravity& gravity : bag.gravity)
+    for (const auto& knot : gravity.factor)
+      if (knot[0] > 0.0 && knot[0] < bag.end_time) times.insert(knot[0]);
+  std::vector<std::string> time, value;
+  bool varies = false;
+  const Eigen::Vector3d start = gravity_at(bag, 0.0, true);
+  const auto add = [&](double at, const Eigen::Vector3d& row) {
+    varies = varies || row != start;
+    time.push_back(number(at));
+    value.push_back(vector(row));
+  };
+  for (const double at : times) {
+    const Eigen::Vector3d before = gravity_at(bag, at, false), after = gravity_at(bag, at, true);
+    if (at > 0.0) add(at, before);
+    if (at == 0.0 || (at < bag.end_time && after != before)) add(at, after);
+  }
+  if (varies)
+    out.line("gravity",
+             fmt::format("{{ time = [{}], value = [{}] }}", fmt::join(time, ", "), fmt::join(value, ", ")),
+             "m/s2");
+  else if (!start.isZero(0.0))
+    out.line("gravity", start, "m/s2");
+}
+
 void scene_block(const BagDeck& bag, CaseText& out) {
   out.table("[scene]");
   out.line("format", "1");
   out.line("name", quoted(bag.name));
   out.line("end_time", bag.end_time, "s");
-  if (!bag.gravity.isZero(0.0)) out.line("gravity", bag.gravity, "m/s2");
+  gravity_line(bag, out);
 }
 
 std::string panel_list(const std::vector<const std::string*>& names) {

@@ -21,13 +21,9 @@ void Surroundings::wall(const DeckCard& card, const Eigen::Vector3d& from, const
 }
 
 void Surroundings::gravity(const DeckCard& card, const Knots& curve, const Eigen::Vector3d& along) {
-  const double factor = curve.empty() ? 1.0 : curve.back()[1];
-  const bool varies = std::ranges::any_of(curve, [&](const auto& knot) { return knot[1] != factor; });
-  bag_.gravity += factor * along;
-  report_.became(card, {"scene.gravity"}, varies ? Mapping::approximated : Mapping::exact,
-                 varies
-                     ? fmt::format("constant from the start with the factor {:g} of the curve's end", factor)
-                     : "acceleration of everything that moves");
+  bag_.gravity.push_back({curve, along});
+  report_.became(card, {"scene.gravity"}, Mapping::exact,
+                 "acceleration of everything that moves, over time if its curve is not constant");
 }
 
 void Surroundings::layers(const DeckCard& card, double thickness, double friction, const char* field) {

@@ -103,11 +103,17 @@ struct BagHolds {
   double layer_thickness = 0.0, layer_friction = 0.0;  // of self-contact; 0: none
 };
 
+/// Acceleration of everything that moves.
+struct BagGravity {
+  Knots factor;           // [-] over time [s], held outside of its knots; empty: 1
+  Eigen::Vector3d along;  // [m/s2]
+};
+
 struct BagDeck {
   std::string name;
   double end_time = 0.0;
   std::optional<double> history_every;
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
+  std::vector<BagGravity> gravity;  // their sum
 
   double ambient_pressure = 0.0, initial_temperature = 0.0;
   std::optional<double> initial_pressure;  // [Pa] if not the ambient pressure
