@@ -93,7 +93,7 @@ TEST(jet_scene, fast_route_eq_cgal_tree_at_every_step_of_the_run) {
        "contact.stiffness_share=4.0"});  // large elements are soft
   const driver::JetPart& part = scene.jets.front();
   const jet::RaySource source = jet::ray_source(part.field.model());
-  jet::VisibilityQuery query = part.query->another();
+  jet::VisibilityQuery query = *part.query;
   jet::FieldState field = part.field.make_state();
   std::size_t steps = 0, differ = 0, other_candidates = 0;
   std::vector<std::uint8_t> lit;

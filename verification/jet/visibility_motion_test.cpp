@@ -34,7 +34,7 @@ TEST(motion, carried_answers_eq_fresh_ones_over_random_motions) {
   }
 }
 
-TEST(motion, another_query_shares_the_mesh_and_knows_nothing_of_the_first) {
+TEST(motion, a_copy_of_a_query_shares_the_mesh_and_knows_nothing_of_the_first) {
   Mesh mesh = scenes::crumpled(3, 0.02, 31);
   const auto triangles = mesh.triangles();
   const auto count = static_cast<int>(mesh.nodes.size());
@@ -42,7 +42,7 @@ TEST(motion, another_query_shares_the_mesh_and_knows_nothing_of_the_first) {
   const auto source = routes::point({0.02, 0.01, 0.03}, {0, 0.6, 0.8});
   scenes::Random random(32);
   for (int step = 0; step < 5; ++step) {
-    jet::VisibilityQuery another = first.another(), fresh(triangles, count);
+    jet::VisibilityQuery another = first, fresh(triangles, count);
     const auto candidates = routes::in_cone(mesh, source, 0.4);
     std::vector<std::uint8_t> lit(candidates.size()), other = lit, expected = lit;
     const auto nodes = mesh.points();
