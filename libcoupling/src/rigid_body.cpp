@@ -22,9 +22,10 @@ void check_rail(Rail& rail) {
     detail::reject("rail.direction", detail::text(rail.direction), "finite and not zero");
   rail.direction /= length;
   for (const RailSpring& spring : rail.springs) {
-    detail::require_not_negative("rail.spring.stiffness", spring.stiffness);
-    detail::require_not_negative("rail.spring.damping", spring.damping);
-    if (!std::isfinite(spring.at)) detail::reject("rail.spring.at", detail::text(spring.at), "finite");
+    const std::string name = spring.one_sided ? "rail.stop." : "rail.spring.";
+    detail::require_not_negative(name + "stiffness", spring.stiffness);
+    detail::require_not_negative(name + "damping", spring.damping);
+    if (!std::isfinite(spring.at)) detail::reject(name + "at", detail::text(spring.at), "finite");
   }
 }
 
@@ -160,6 +161,10 @@ double RigidBodyModel::damping_at(const RigidBodyState& state) const {
 double RigidBodyModel::kinetic(const Matrix3d& axes, const Vector3d& velocity_a, const Vector3d& velocity_b,
                                const Vector3d& momentum_a, const Vector3d& momentum_b) const {
   return 0.5 * parameters_.mass * velocity_a.dot(velocity_b) + 0.5 * momentum_a.dot(turned(axes, momentum_b));
+}
+
+double RigidBodyModel::kinetic_energy(const RigidBodyState& state) const {
+  return kinetic(state.axes, state.velocity, state.velocity, state.angular_momentum, state.angular_momentum);
 }
 
 // (K.56) Torque-free rotation, by turns about the principal axes: the angular momentum stays to rounding, the

@@ -21,6 +21,10 @@ program bad_calls
   type(gasjet_skin_contact_sums) :: touch
   type(gasjet_contact_sums) :: push
   type(gasjet_outlet_state) :: state
+  type(gasjet_rigid_body_model) :: top
+  type(gasjet_rigid_body_state) :: motion
+  type(gasjet_rigid_body_point) :: point
+  type(gasjet_rigid_body_kick) :: kick
   character(512) :: case_file
   integer :: calls = 0, i, k
 
@@ -69,6 +73,28 @@ program bad_calls
   call refused(gasjet_contact_create_body(y, four, [1_c_int64_t, four], t, four, mass=p, effective_mass=1d0, &
                                           impactor=gasjet_impactor(4_c_int64_t, [0.3d0, 0.1d0, 0d0]), &
                                           stiffness=1d5, friction=0d0, contact=run), 'impactor.shape')
+  ! A mass on a rail, then a free one: the weight of 1 m/s2 for 1 s, once in half a step.
+  call good(gasjet_rigid_body_defaults(top))
+  call refused(gasjet_rigid_body_start(top, motion), 'body.mass')
+  top%mass = 2d0
+  top%centre = here
+  call refused(gasjet_rigid_body_start(top, motion), 'body.inertia')
+  top%motion = GASJET_ON_RAIL
+  call refused(gasjet_rigid_body_start(top, motion), 'rail.direction')
+  top%direction = [0d0, 0d0, -1d0]
+  top%gravity = [0d0, 1d0, -1d0]
+  top%springs(1)%stiffness = 8d0
+  call good(gasjet_rigid_body_start(top, motion))
+  call good(gasjet_rigid_body_advance(top, force=0d0 * here, dt_before=0d0, dt_after=1d0, state=motion, kick=kick))
+  call good(gasjet_rigid_body_evaluate(top, motion, point))
+  if (point%displacement /= 0.5d0 .or. point%own_force(3) /= 2d0 .or. kick%load_work /= 0d0) &
+    error stop 'the mass does not fall along its rail'
+  top%motion = GASJET_FREE_BODY
+  top%inertia([1, 5, 9]) = [1d0, 2d0, 2.5d0]
+  top%angular_velocity = [1d0, 0d0, 0d0]
+  call good(gasjet_rigid_body_start(top, motion))
+  call good(gasjet_rigid_body_advance(top, here, here, 0d0, 0.5d0, motion, kick))
+  if (abs(motion%axes(6) - sin(0.5d0 * motion%angular_momentum(1))) > 1d-2) error stop 'the top does not turn'
   call good(gasjet_default_skin_stiffness(0.5d0, 4d8, 0.2d0, value))
   if (value /= 1d7) error stop 'the default stiffness is not share omega^2 rho h / 4'
   call good(gasjet_gas_create('N2=1'//c_null_char, 0d0, handles(1)))
@@ -93,6 +119,10 @@ program bad_calls
     call refused(gasjet_skin_contact_create(x, four, triangles=t, triangle_count=four, mass=p, thickness=bad(i), &
                                             stiffness=1d5, friction=0d0, skin_contact=run), 'thickness')
     call refused(gasjet_default_skin_stiffness(0.5d0, bad(i), 0.2d0, value), 'other_frequency')
+    call refused(gasjet_rigid_body_advance(top, here, here, bad(i), 0.1d0, motion, kick), 'dt_before')
+    call refused(gasjet_rigid_body_advance(top, here, dt_before=0.1d0, dt_after=bad(i), state=motion), 'dt_after')
+    call refused(gasjet_rigid_body_limits(top, bad(i), 1d0, value, force(1)), 'reach')
+    call refused(gasjet_head_injury_criterion([0d0, 0.1d0], x, 2_c_int64_t, window=bad(i), criterion=value), 'window')
     call refused(gasjet_outlet(GASJET_EXPANDED, 1d-3, 1d0, 300d0, 1039d0, 297d0, bad(i), state), 'bag_pressure')
     call refused(gasjet_jet_expansion(jet, bad(i), 1d0, 1d0), 'area_ratio')
     call refused(gasjet_jet_expansion(jet, 1d0, bad(i), 1d0), 'reflected')

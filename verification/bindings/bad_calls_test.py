@@ -40,7 +40,8 @@ TRIANGLE_LISTS = ["triangles", 1, TRIANGLES.astype(float), TRIANGLES.astype(bool
                   TRIANGLES[::-1, ::-1] + 1, np.broadcast_to(np.array([0, 1, 9]), (4, 3)), np.ma.masked_equal(TRIANGLES, 1)]
 INDICES = ["x", 0.5, [0.5], [4], [-1], [10**20], [[0, 1]], [True], [None]]
 TEXTS = [None, 1, ["N2=1"], "N2\0=1", object()]
-NAMED_AS = {"nodes": "nodes?|node_count", "points": "points", "reference": "reference|node_count", "triangles": "triangles|triangle_count"}
+NAMED_AS = {"nodes": "nodes?|node_count", "points": "points", "reference": "reference|node_count", "triangles": "triangles|triangle_count",
+            "springs": "springs?", "stops": "stops?|springs"}
 FLAGS = [None, "yes", [1]]
 COLUMNS = ["x", [1.0, None], [0.0, NAN], [0.0, 1j], [0.0], np.ma.masked_equal([0.0, 1.0], 1.0), {"a": 1}, [[0.0, 1.0]]]
 
@@ -159,6 +160,39 @@ class BadCalls(unittest.TestCase):
         self.each(gasjet.Pendulum, rod, **{name: VECTORS if np.ndim(value) else NUMBERS for name, value in rod.items()})
         swing = gasjet.Pendulum(**rod)
         self.each(swing.moment, dict(force=AXIS, point=CENTRE), force=VECTORS, point=VECTORS)
+
+    def test_rigid_bodies_and_head_injury(self):
+        springs = [None, 1.0, "x", [1.0, 2.0, 3.0], [[1.0, 2.0]], [[-1.0, 0.0, 0.0]], [[1.0, -1.0, 0.0]], [[1.0, 0.0, NAN]], [[1.0, 0.0, 0.0]] * 5]
+        guided = dict(centre=CENTRE, mass=2.0, rail=AXIS, springs=[[1e4, 1.0, 0.0]], stops=[[1e5, 1.0, 0.1]], velocity=(3.0, 0.0, 0.0),
+                      axes=np.eye(3), gravity=(0.0, 0.0, -9.8))
+        mirrored = np.diag([1.0, 1.0, -1.0])
+        self.each(gasjet.RigidBody, guided, centre=VECTORS, mass=NUMBERS + [0.0, -1.0], rail=VECTORS[1:] + [(0.0, 0.0, 0.0)], springs=springs[1:],
+                  stops=springs[1:], velocity=VECTORS + [(0.0, 1.0, 0.0)], gravity=VECTORS, angular_velocity=VECTORS + [AXIS],
+                  axes=[None, "abc", np.eye(2), NODES, 2.0 * np.eye(3), mirrored])
+        free = dict(centre=CENTRE, mass=2.0, inertia=np.eye(3), angular_velocity=AXIS)
+        spoilt, skewed = np.eye(3), np.eye(3)
+        spoilt[2, 1] = NAN
+        skewed[0, 1] = 0.5
+        self.each(gasjet.RigidBody, free, angular_velocity=VECTORS, springs=springs[5:6], stops=springs[5:6],
+                  inertia=[None, "x", 1.0, np.ones(3), np.eye(2), NODES, spoilt, skewed, mirrored, 0.0 * np.eye(3), np.diag([1.0, 1.0, 3.0])])
+        body = gasjet.RigidBody(**free)
+        before = body.state["displacement_m"], tuple(body.centre), tuple(body.velocity)
+        self.each(body.advance, dict(step=1e-9, force=AXIS, couple=AXIS), step=NUMBERS + [-1.0], force=VECTORS, couple=VECTORS)
+        lost = gasjet.RigidBody(**free)
+        self.refused("step", lambda: lost.advance(0.0), 0.0)
+        self.assertEqual((lost.state["displacement_m"], tuple(lost.centre), tuple(lost.velocity)), before)
+        self.each(body.effective_mass, dict(reach=0.1), reach=NUMBERS + [-1.0])
+        self.each(body.frequency, dict(contact_force=1.0, reach=0.1), contact_force=NUMBERS + [-1.0], reach=NUMBERS + [-1.0])
+        for name, values in dict(centre=VECTORS, velocity=VECTORS, angular_momentum=VECTORS, axes=[None, "abc", np.eye(2), spoilt, mirrored]).items():
+            for value in values:
+                body = gasjet.RigidBody(**free)
+                setattr(body, name, value)
+                self.refused(name, lambda: body.state, value)
+                self.refused(name, lambda: body.advance(1e-3), value)
+        self.each(gasjet.Contact.reach, dict(radius=0.1, rim_radius=0.1), radius=NUMBERS[1:] + [-0.1], rim_radius=NUMBERS[1:] + [0.0])
+        pulse = dict(time=[0.0, 0.1], acceleration=[1.0, 2.0], window=0.015)
+        self.each(gasjet.head_injury_criterion, pulse, time=[None, *COLUMNS, [0.1, 0.0], [0.0, 0.0], [0.0, 11.0], [0.0]],
+                  acceleration=[None, [[1.0, 2.0, 3.0], [1.0]], *COLUMNS[:4], NODES[:2, :2], with_row(NAN)[1:3]], window=NUMBERS + [0.0, -1.0, 1.0])
 
     def test_run_compare_and_exact(self):
         self.each(gasjet.run, dict(case=CASE, set={"scene.end_time": 0.01}, threads=1), case=[None, 1, "", "a\0b"], out=[1, "", "a\0b"],

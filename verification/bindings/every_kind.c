@@ -102,6 +102,36 @@ static void membrane_and_contact(void) {
   check(gasjet_free(contact), GASJET_OK);
 }
 
+static void rigid_body(void) {
+  gasjet_rigid_body_model model;
+  gasjet_rigid_body_state state;
+  gasjet_rigid_body_point point;
+  gasjet_rigid_body_kick kick;
+  const gasjet_impactor disc = {GASJET_DISC, {0.2, 0.1, 0.0}};
+  const double push[] = {0.0, 0.0, 1.0}, time[] = {0.0, 0.01};
+  double reach, mass, frequency, criterion;
+  check(gasjet_rigid_body_defaults(&model), GASJET_OK);
+  check(gasjet_rigid_body_start(&model, &state), GASJET_BAD_INPUT);
+  model.mass = 2.0;
+  for (int i = 0; i < 3; ++i)
+    model.centre[i] = 0.0, model.inertia[4 * i] = 0.1, model.angular_velocity[i] = i;
+  check(gasjet_impactor_reach(&disc, &reach), GASJET_OK);
+  check(gasjet_rigid_body_start(&model, &state), GASJET_OK);
+  for (int n = 0; n < 3; ++n) {
+    check(gasjet_rigid_body_evaluate(&model, &state, &point), GASJET_OK);
+    check(gasjet_rigid_body_limits(&model, reach, 1.0, &mass, &frequency), GASJET_OK);
+    check(gasjet_rigid_body_advance(&model, push, n == 0 ? NULL : push, n == 0 ? 0.0 : 1e-3, 1e-3, &state,
+                                    n == 0 ? NULL : &kick),
+          GASJET_OK);
+  }
+  check(gasjet_rigid_body_advance(&model, push, push, -1.0, 1e-3, &state, &kick), GASJET_BAD_INPUT);
+  model.motion = GASJET_ON_RAIL;
+  model.inertia[0] = NAN;
+  check(gasjet_rigid_body_start(&model, &state), GASJET_BAD_INPUT);
+  check(gasjet_head_injury_criterion(time, nodes, 2, NULL, 0.015, &criterion), GASJET_OK);
+  check(gasjet_head_injury_criterion(time, nodes, 2, NULL, 1.0, &criterion), GASJET_BAD_INPUT);
+}
+
 static void skin_contact(void) {
   gasjet_handle contact, none;
   gasjet_skin_contact_sums touch;
@@ -141,6 +171,7 @@ int main(int count, char** arguments) {
   gas_and_tank();
   jet_and_surface();
   membrane_and_contact();
+  rigid_body();
   skin_contact();
   run_and_closed_form(arguments[1]);
   puts("an object of every kind was made and freed");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meshes.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace border_test {
@@ -77,6 +79,40 @@ gasjet_jet_model round_jet() {
 
 gasjet_pendulum_model pendulum() {
   return {{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}, 5.0, 0.3, 0.7, 0.9, 0.08, {0.0, 0.0, -9.81}};
+}
+
+gasjet_rigid_body_model tumbling_body() {
+  gasjet_rigid_body_model model;
+  EXPECT_OK(gasjet_rigid_body_defaults(&model));
+  model.mass = 4.5;
+  for (int i = 0; i < 3; ++i) model.centre[i] = 0.1 * i;
+  model.velocity[0] = 3.0;
+  model.gravity[2] = -9.80665;
+  model.angular_velocity[0] = 20.0;
+  model.angular_velocity[2] = 30.0;
+  // Axes turned about y by the angle of cosine 0.8; the principal ones by that of 0.6 about the body's z.
+  const double axes[] = {0.8, 0.0, -0.6, 0.0, 1.0, 0.0, 0.6, 0.0, 0.8};
+  std::copy(std::begin(axes), std::end(axes), model.axes);
+  model.inertia[0] = 0.36 * 0.016 + 0.64 * 0.021;
+  model.inertia[4] = 0.64 * 0.016 + 0.36 * 0.021;
+  model.inertia[1] = model.inertia[3] = 0.48 * (0.016 - 0.021);
+  model.inertia[8] = 0.026;
+  return model;
+}
+
+gasjet_rigid_body_model guided_body() {
+  gasjet_rigid_body_model model;
+  EXPECT_OK(gasjet_rigid_body_defaults(&model));
+  model.motion = GASJET_ON_RAIL;
+  model.mass = 6.8;
+  for (int i = 0; i < 3; ++i) model.centre[i] = 0.1 * i;
+  model.velocity[0] = -9.0;
+  model.gravity[0] = -4.0;
+  model.gravity[2] = -9.0;
+  model.direction[0] = -2.0;
+  model.springs[0] = {30e3, 120.0, 0.01, 0};
+  model.springs[2] = {2e5, 50.0, 0.1, 1};
+  return model;
 }
 
 }  // namespace border_test

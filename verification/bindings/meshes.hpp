@@ -54,5 +54,9 @@ class Handle {
 /// A round jet along x out of the origin.
 gasjet_jet_model round_jet();
 gasjet_pendulum_model pendulum();
+/// A body that turns about all its axes, 4.5 kg, with principal moments 0.016, 0.021 and 0.026 kg m2.
+gasjet_rigid_body_model tumbling_body();
+/// A mass of 6.8 kg that comes along -x at 9 m/s, with a spring, a stop and dampers, under gravity.
+gasjet_rigid_body_model guided_body();
 
 }  // namespace border_test

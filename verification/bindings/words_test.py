@@ -30,7 +30,7 @@ def objects():
         "skin_contact": gasjet.SkinContact(NODES, TRIANGLES, masses=np.ones(4), thickness=0.1, stiffness=1e5),
         "pendulum": gasjet.Pendulum(CENTRE, AXIS, (0.0, 0.0, -1.0), mass=1.0, inertia_cg=1.0, cg_distance=1.0, impactor_distance=1.0,
                                     impactor_radius=0.1, angle=0.25),
-        "run": gasjet.run(TANK),
+        "body": gasjet.RigidBody(CENTRE, mass=1.0, rail=AXIS, velocity=(3.0, 0.0, 0.0)), "run": gasjet.run(TANK),
     }
 
 
@@ -110,7 +110,7 @@ class Objects(unittest.TestCase):
                 "surface": "4 elements, 4 nodes", "jet": r"round, radius 0.03 m, at \(0.1, 0.1, 0.1\) m along \(1, 0, 0\)",
                 "membrane": "4 elements, 4 nodes, saint_venant_kirchhoff, with wrinkles", "contact": "radius 0.1 m, 100000 N/m3, .*4 elements",
                 "skin_contact": "thickness 0.1 m, 100000 N/m3, .*4 elements",
-                "pendulum": "at 0.25 rad, 0 rad/s", "run": "tank_blowdown: done, 351 rows>"}.items():
+                "pendulum": "at 0.25 rad, 0 rad/s", "body": "0 m from its start, 3 m/s", "run": "tank_blowdown: done, 351 rows>"}.items():
             self.assertRegex(repr(made[name]), words)
         slot = gasjet.Jet(CENTRE, AXIS, decay_coefficient=0.1, short_side=0.01, long_side=0.2, long_direction=(0.0, 1.0, 0.0))
         self.assertIn("0.01 m by 0.2 m", repr(slot))
@@ -127,6 +127,7 @@ class Objects(unittest.TestCase):
                 (gasjet.outlet(1e-3, 1.0, 500.0, 1039.0, 297.0), gasjet.outlet), (made["jet"].counters, gasjet.Jet),
                 (gasjet.check_surface(NODES, TRIANGLES), gasjet.check_surface), (made["membrane"].evaluate(NODES), gasjet.Membrane.evaluate),
                 (made["contact"].evaluate(NODES, (0.0, 0.0, -5.0)), gasjet.Contact.evaluate), (made["pendulum"].state, pendulum.state),
+                (made["body"].state, gasjet.RigidBody.state), (made["body"].advance(1e-3), gasjet.RigidBody.advance),
                 (compared, gasjet.compare), (quantity, gasjet.compare)):
             for key in given:
                 self.assertIn(key, described.__doc__)

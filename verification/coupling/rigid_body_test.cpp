@@ -217,6 +217,8 @@ TEST(RigidBody, what_is_no_body_is_named) {
   expect_refused(p, "rail.direction");
   p = on_rail(1.0, {{-1.0, 0.0, 0.0, false}});
   expect_refused(p, "rail.spring.stiffness = -1");
+  p = on_rail(1.0, {{1.0, -1.0, 0.0, true}});
+  expect_refused(p, "rail.stop.damping = -1");
   p = on_rail(1.0, {});
   p.velocity = {1.0, 1.0, 0.0};
   expect_refused(p, "body.velocity");

@@ -135,6 +135,14 @@ int gasjet_contact_create(const double reference[], int64_t node_count, const in
   });
 }
 
+int gasjet_impactor_reach(const gasjet_impactor* impactor, double* reach) {
+  return call([&] {
+    const auto shape = shape_of(needed(impactor, "impactor"));
+    coupling::require_valid(shape);
+    needed(reach, "reach") = coupling::reach_of(shape);
+  });
+}
+
 int gasjet_contact_create_body(const double reference[], int64_t node_count, const int64_t reference_stride[],
                                const int32_t triangles[], int64_t triangle_count,
                                const int64_t triangle_stride[], const double mass[], double effective_mass,

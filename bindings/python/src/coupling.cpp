@@ -21,10 +21,6 @@ gasjet_pendulum_model pendulum_model(const Vector& pivot, const Vector& axis, co
   return model;
 }
 
-py::array_t<double> array_of(const double* from) {
-  return py::array_t<double>(3, from);
-}
-
 py::dict pendulum_evaluate(const gasjet_pendulum_model& model, double angle, double angular_velocity) {
   gasjet_pendulum_point p;
   check(gasjet_pendulum_evaluate(&model, angle, angular_velocity, &p));
@@ -58,14 +54,28 @@ void require_one_per_node(const Numbers& masses, const Points& x) {
                              std::to_string(x.count()));
 }
 
+gasjet_impactor impactor_of(std::int64_t shape, double radius, const Vector& half_axes, double half_length,
+                            double rim_radius) {
+  gasjet_impactor impactor{shape, {radius, shape == GASJET_CYLINDER ? half_length : rim_radius, 0.0}};
+  if (shape == GASJET_ELLIPSOID) copy(half_axes, impactor.dimensions);
+  return impactor;
+}
+
+double impactor_reach(std::int64_t shape, double radius, const Vector& half_axes, double half_length,
+                      double rim_radius) {
+  const auto impactor = impactor_of(shape, radius, half_axes, half_length, rim_radius);
+  double reach = 0.0;
+  check(gasjet_impactor_reach(&impactor, &reach));
+  return reach;
+}
+
 Owner contact(const py::object& reference, const py::object& elements, const Numbers& masses,
               double effective_mass, std::int64_t shape, double radius, const Vector& half_axes,
               double half_length, double rim_radius, double stiffness, double friction) {
   const Points x = points(reference, "reference");
   const Triangles t = triangles(elements);
   require_one_per_node(masses, x);
-  gasjet_impactor impactor{shape, {radius, shape == GASJET_CYLINDER ? half_length : rim_radius, 0.0}};
-  if (shape == GASJET_ELLIPSOID) copy(half_axes, impactor.dimensions);
+  const auto impactor = impactor_of(shape, radius, half_axes, half_length, rim_radius);
   gasjet_handle handle = 0;
   unlocked([&] {
     return gasjet_contact_create_body(x.data(), x.count(), x.stride.data(), t.data(), t.count(),
@@ -171,6 +181,7 @@ void add_coupling(py::module_& m) {
   def(m, "contact", &contact,
       {"reference", "triangles", "masses", "effective_mass", "shape", "radius", "half_axes", "half_length",
        "rim_radius", "stiffness", "friction"});
+  def(m, "impactor_reach", &impactor_reach, {"shape", "radius", "half_axes", "half_length", "rim_radius"});
   def(m, "contact_evaluate", &contact_evaluate,
       {"contact", "nodes", "centre", "axes", "axes", "axes", "turn"});
   def(m, "skin_contact", &skin_contact,

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_gasjet, m) {
   add_gas(m);
   add_bodies(m);
   add_coupling(m);
+  add_rigid_body(m);
   add_runs(m);
   add_simulation(m);
 }

@@ -51,6 +51,10 @@ inline void copy(const Vector& from, double* to) {
   std::copy(from.begin(), from.end(), to);
 }
 
+inline py::array_t<double> array_of(const double* from) {
+  return py::array_t<double>(3, from);
+}
+
 template <class T>
 py::array_t<T> vectors(int64_t count) {
   return py::array_t<T>({static_cast<py::ssize_t>(count), py::ssize_t{3}});
@@ -63,5 +67,6 @@ py::dict dict_of(const gasjet_tank_state& state);
 void add_gas(py::module_& m);
 void add_bodies(py::module_& m);
 void add_coupling(py::module_& m);
+void add_rigid_body(py::module_& m);
 void add_runs(py::module_& m);
 void add_simulation(py::module_& m);

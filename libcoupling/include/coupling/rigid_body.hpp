@@ -85,6 +85,8 @@ class RigidBodyModel {
   double gravity_energy(const RigidBodyState& state) const;
   /// Energy [J] of the springs (K.54).
   double spring_energy(const RigidBodyState& state) const;
+  /// Kinetic energy [J] of the state's speeds.
+  double kinetic_energy(const RigidBodyState& state) const;
 
   /// One step of the central difference: a kick by load and own force over tau = (dt_before + dt_after)/2
   /// [s], then the motion of dt_after [s] (K.55), (K.56). dt_before = 0 at the start. Throws

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/* Pendulum, contact of a rigid body with a skin, and of a skin with itself: libcoupling. Tags (K.n):
+/* Pendulum and rigid body, contact of a body with a skin, and of a skin with itself: libcoupling. Tags (K.n):
  * docs/theory/coupling.md. */
 #ifndef GASJET_COUPLING_H
 #define GASJET_COUPLING_H
@@ -49,6 +49,98 @@ GASJET_API int gasjet_pendulum_moment(const gasjet_pendulum_model* model, const 
 GASJET_API int gasjet_pendulum_advance(const gasjet_pendulum_model* model, double moment, double dt_before,
                                        double dt_after, double* angle, double* angular_velocity);
 
+enum gasjet_motion {
+  GASJET_FREE_BODY = 0, /* moves and turns by all forces and couples */
+  GASJET_ON_RAIL = 1    /* moves along a direction, does not turn */
+};
+
+/* A spring with a damper between a body and its rail. */
+typedef struct gasjet_rail_spring {
+  double stiffness;  /* [N/m] >= 0 */
+  double damping;    /* [N s/m] >= 0 */
+  double at;         /* [m] displacement without force */
+  int64_t one_sided; /* not 0: a stop, which acts beyond `at` only, on the side away from the start */
+} gasjet_rail_spring;
+
+/* Rigid body of any shape. gasjet_rigid_body_defaults sets the defaults. Mass and centre are NaN, and inertia
+ * and direction 0: they must be given, the last two to a free body and to a rail. */
+typedef struct gasjet_rigid_body_model {
+  int64_t motion;                /* a gasjet_motion; default GASJET_FREE_BODY */
+  double mass;                   /* [kg] > 0 */
+  double centre[3];              /* [m] of gravity, at the start */
+  double axes[9];                /* [-] x, y and z axis of the body at the start; default: those of space */
+  double velocity[3];            /* [m/s] at the start, along the rail; default 0 */
+  double angular_velocity[3];    /* [rad/s] at the start, of a free body; default 0 */
+  double inertia[9];             /* [kg m2] 3 x 3 about the centre, in the body's axes; of a free body */
+  double gravity[3];             /* [m/s2] default 0 */
+  double direction[3];           /* [-] of the rail, any length but 0 */
+  gasjet_rail_spring springs[4]; /* of the rail; those without stiffness and damping do nothing; default */
+} gasjet_rigid_body_model;
+
+GASJET_API int gasjet_rigid_body_defaults(gasjet_rigid_body_model* model);
+
+/* Motion of a body: centre and axes at time n, speeds at n - 1/2 (at the start: at time 0).
+ * gasjet_contact_evaluate_body takes centre and axes; turn since its last call: the last step times
+ * angular_velocity of gasjet_rigid_body_point. */
+typedef struct gasjet_rigid_body_state {
+  double centre[3];           /* [m] */
+  double axes[9];             /* [-] x, y and z axis of the body */
+  double velocity[3];         /* [m/s] */
+  double angular_momentum[3]; /* [kg m2/s] in space; 0 on a rail */
+} gasjet_rigid_body_state;
+
+/* The state at the start. */
+GASJET_API int gasjet_rigid_body_start(const gasjet_rigid_body_model* model, gasjet_rigid_body_state* state);
+
+/* What follows from a state. */
+typedef struct gasjet_rigid_body_point {
+  double displacement;        /* [m] from the start along the rail, or its length */
+  double speed;               /* [m/s] along the rail, or the length of the velocity */
+  double angular_velocity[3]; /* [rad/s] in space */
+  double own_force[3];        /* [N] of gravity and springs, along the rail (K.53) */
+  double gravity_energy;      /* [J] less that at the start (K.54) */
+  double spring_energy;       /* [J] (K.54) */
+  double kinetic_energy;      /* [J] of the state's speeds */
+} gasjet_rigid_body_point;
+
+GASJET_API int gasjet_rigid_body_evaluate(const gasjet_rigid_body_model* model,
+                                          const gasjet_rigid_body_state* state,
+                                          gasjet_rigid_body_point* point);
+
+/* The motion at time n, and what the change of speeds from n - 1/2 to n + 1/2 did. */
+typedef struct gasjet_rigid_body_kick {
+  double velocity[3];     /* [m/s] at n */
+  double acceleration[3]; /* [m/s2] at n */
+  double kinetic_energy;  /* [J] at n, of second order, as (K.21) counts it */
+  double kinetic_before;  /* [J] at n - 1/2 */
+  double kinetic_after;   /* [J] at n + 1/2 */
+  double load_work;       /* [J] of force and couple */
+  double damping_loss;    /* [J] */
+  double work; /* [J] of load, gravity and springs less damping_loss: kinetic_after less kinetic_before */
+} gasjet_rigid_body_kick;
+
+/* Central difference (K.55), (K.56): advances the state from time n to n + 1. force [N] and couple [N m]
+ * about the centre act at n beside gravity and springs; a rail takes what is not along it. dt_before [s] >= 0
+ * is the step before n (0 at the start), dt_after [s] >= 0 the step after it; with 0 the speeds come to time
+ * n, and the next dt_before is 0. The springs and the contact limit the step, dampers do not. */
+GASJET_API int gasjet_rigid_body_advance(const gasjet_rigid_body_model* model, const double force[3],
+                                         const double GASJET_OR_NULL couple[3], double dt_before,
+                                         double dt_after, gasjet_rigid_body_state* state,
+                                         gasjet_rigid_body_kick GASJET_OR_NULL* kick);
+
+/* Limits (K.57) for a contact up to `reach` [m] >= 0 from the centre: effective_mass [kg], which it feels at
+ * least, and frequency [1/s2], a bound of omega^2 of the springs and of a contact_force [N] >= 0 that turns a
+ * free body. Steps up to 2/sqrt(sum of all frequencies) are stable. */
+GASJET_API int gasjet_rigid_body_limits(const gasjet_rigid_body_model* model, double reach,
+                                        double contact_force, double* effective_mass, double* frequency);
+
+/* Head injury criterion (K.58) of an acceleration [m/s2] at count >= 2 rising times [s], which span at most
+ * 10 s, for intervals of up to `window` [s], 1e-4 to 0.1: 0.015 or 0.036 by 49 CFR 571.208. Its components
+ * are filtered by CFC 1000 first. stride: as of nodes. */
+GASJET_API int gasjet_head_injury_criterion(const double time[], const double acceleration[], int64_t count,
+                                            const int64_t GASJET_OR_NULL stride[], double window,
+                                            double* criterion);
+
 /* Contact of a rigid sphere with a skin, from an energy over the skin (K.10). mass [kg]: one per node;
  * effective_mass [kg] > 0: of the sphere; radius [m] > 0, stiffness [N/m3] > 0, friction [-] >= 0. */
 GASJET_API int gasjet_contact_create(const double reference[], int64_t node_count,
@@ -70,6 +162,9 @@ typedef struct gasjet_impactor {
   int64_t shape;        /* a gasjet_shape */
   double dimensions[3]; /* [m] as the shape lists them; those after the last are ignored */
 } gasjet_impactor;
+
+/* Largest distance [m] of a point of the shape from its centre. */
+GASJET_API int gasjet_impactor_reach(const gasjet_impactor* impactor, double* reach);
 
 /* The same contact for a body of another shape (K.49). effective_mass: the least of any point of the body. */
 GASJET_API int gasjet_contact_create_body(const double reference[], int64_t node_count,
