@@ -144,6 +144,7 @@ const std::vector<Feature>& features() {
        {Mapping::approximated, "pressure at which a single vent opens, and stays open"}},
       {"sensor.reset", trigger, trigger},
       {"sensor.contact", trigger, trigger},
+      {"sensor.external", trigger, trigger},
       {"trigger.name", in_deck, in_deck},
       {"trigger.all", trigger, trigger},
       {"trigger.any", trigger, trigger},
