@@ -9,7 +9,9 @@ void Sim::watch() {
       [this, files](bool recorded, const driver::State& now) {
         if (recorded)
           for (Table& table : tables) table.record(simulation.scene(), now);
-        if (files) files(recorded, now);
+        if (!files) return;
+        folder->follow(simulation.scene());
+        files(recorded, now);
       },
       folder ? folder->views() : std::vector<driver::LevelView>{});
 }
@@ -23,6 +25,7 @@ void Sim::finish() {
   if (simulation.ended() && simulation.now().failure.empty()) simulation.evaluate();
   if (!folder) return;
   driver::RunOutcome outcome = simulation.outcome();
+  folder->follow(simulation.scene());
   folder->end(state(), outcome);
   folder.reset();
   watch();
@@ -31,7 +34,7 @@ void Sim::finish() {
 Sim::~Sim() {
   try {
     finish();
-  } catch (const std::exception&) {  // a full disk, say: nobody is left to be told
+  } catch (const std::exception&) {  // a full disk, say: no caller is left to report to
   }
 }
 

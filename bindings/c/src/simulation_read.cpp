@@ -7,6 +7,7 @@
 #include "arrays.hpp"
 #include "engine/controls.hpp"
 #include "engine/drift.hpp"
+#include "engine/impactor.hpp"
 #include "gas/control_volume.hpp"
 #include "sim_object.hpp"
 
@@ -56,6 +57,8 @@ int gasjet_sim_view(gasjet_handle sim, int array, const double** values, int64_t
     needed(rows, "rows");
     needed(columns, "columns");
     needed(stride, "stride");
+    const bool of_step = array >= GASJET_SIM_CONTACT_FORCE && array <= GASJET_SIM_SUPPORT_FORCE;
+    if (of_step && use->simulation.now().failure.empty()) use->simulation.evaluate();
     const View view = view_of(*use, array);
     *values = view.values;
     *rows = view.rows;
@@ -123,13 +126,16 @@ int gasjet_sim_read_impact(gasjet_handle sim, gasjet_sim_impact* impact) {
     use->simulation.evaluate();
     const driver::State& state = use->state();
     gasjet_sim_impact all{};
-    write_vector(state.level.impactor.centre, all.centre);
-    if (state.body) write_vector(state.body->motion.velocity, all.velocity);
+    const coupling::Pose& pose = state.level.impactor;
+    write_vector(pose.centre, all.centre);
+    for (int i = 0; i < 3; ++i) write_vector(pose.axes.col(i), all.axes + 3 * i);
+    const auto [velocity, angular_velocity] = driver::impactor_speeds(use->scene(), state);
+    write_vector(velocity, all.velocity);
+    write_vector(angular_velocity, all.angular_velocity);
     write_vector(state.contact.force, all.force);
     write_vector(state.contact.couple, all.couple);
     all.energy = state.contact.energy;
     all.penetration = state.contact.penetration;
-    all.self_contacts = state.skin_contact.contacts;
     *impact = finite(all, "impact");
   });
 }

@@ -73,8 +73,8 @@ int gasjet_sim_set_impactor(gasjet_handle sim, const double centre[3], const dou
     if (angular_velocity != nullptr) place.angular_velocity = vector_of(angular_velocity, "angular_velocity");
     if (axes != nullptr)
       for (int i = 0; i < 3; ++i) place.axes.col(i) = vector_of(axes + 3 * i, "axes");
-    else if (use->scene().body)
-      place.axes = use->scene().body->model.parameters().axes;
+    else if (use->state().body)
+      place.axes = use->state().body->motion.axes;
     driver::set_impactor(use->simulation, place);
   });
 }

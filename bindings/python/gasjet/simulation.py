@@ -21,7 +21,7 @@ class Simulation:
     A step has two halves. The first finds gas, forces and the length of the step at the level where the simulation is; the second moves
     it. What you read of forces does the first half. Arrays are views of shape (n, 3) that change as the simulation steps; forces in them
     are those of the last evaluate(). What you set stays until you set it again; what forces feel (set_ambient, set_inflow, set_outlet)
-    holds from this level on, or from the next one if this is evaluated. Computations that leave their domain raise DomainError.
+    act from this level on, or from the next one if this is evaluated. Computations that leave their domain raise DomainError.
     """
 
     __slots__ = ("_handle", "_case", "_own_force", "__weakref__")
@@ -73,7 +73,7 @@ class Simulation:
         _gasjet.sim_assign(self._handle, _handle_of(other))
 
     def save(self) -> bytes:
-        """The state and all that was set, for a file or another process; only the same build reads it. Pickling uses it."""
+        """The state and all that was set, without the rows so far; only the same build reads it. Pickling uses it."""
         return _gasjet.sim_save(self._handle)
 
     def restore(self, state: bytes) -> None:
@@ -209,8 +209,8 @@ class Simulation:
 
     @property
     def impact(self) -> Dict[str, Any]:
-        """The impactor: centre [m], velocity [m/s] half a step before; force [N] and couple [N m] of the skin on it, energy_J of the
-        contact, penetration_m."""
+        """The impactor: centre [m], axes (3, 3) in columns; velocity [m/s] and angular_velocity [rad/s] half a step before; force [N] and
+        couple [N m] of the skin on it, energy_J of the contact, penetration_m."""
         return _gasjet.sim_impact(self._handle)
 
     def value(self, column: str, energy: bool = False) -> float:
@@ -259,16 +259,16 @@ class Simulation:
     def set_impactor(self, centre: Vector, velocity: Vector, axes: Any = None, angular_velocity: Vector = (0.0, 0.0, 0.0)) -> None:
         """Moves an impactor on a rail or free, from now on in place of its own dynamics.
 
-        centre [m]; velocity [m/s] and angular_velocity [rad/s] with which it goes on; axes: (3, 3), its x, y and z axis in rows (None: as
-        at the start). Call it after a step, before you read forces.
+        centre [m]; velocity [m/s] and angular_velocity [rad/s] with which it goes on; axes: (3, 3), its x, y and z axis in columns
+        (None: as now). Call it after a step, before you read forces.
         """
-        rows = None
+        numbers = None
         if axes is not None:
-            rows = as_numbers(axes, "axes")
-            if rows.shape != (3, 3):
-                raise TypeError(f"axes: have the shape {rows.shape}, allowed: (3, 3)")
-            rows = [float(x) for x in rows.ravel()]
-        _gasjet.sim_set_impactor(self._handle, centre, velocity, rows, angular_velocity)
+            given = as_numbers(axes, "axes")
+            if given.shape != (3, 3):
+                raise TypeError(f"axes: have the shape {given.shape}, allowed: (3, 3)")
+            numbers = [float(x) for x in given.T.ravel()]
+        _gasjet.sim_set_impactor(self._handle, centre, velocity, numbers, angular_velocity)
 
     def set_impactor_speed(self, velocity: Vector, angular_velocity: Vector = (0.0, 0.0, 0.0)) -> None:
         """Speeds [m/s], [rad/s] with which that impactor goes on from here; also after you have read its forces."""

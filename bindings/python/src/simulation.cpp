@@ -153,7 +153,12 @@ py::dict impact(const Handle& sim) {
   const auto vector = [](const double* from) { return py::array_t<double>(3, from); };
   py::dict all;
   all["centre"] = vector(s.centre);
+  py::array_t<double> axes({3, 3});
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c) axes.mutable_at(c, i) = s.axes[3 * i + c];  // in columns
+  all["axes"] = axes;
   all["velocity"] = vector(s.velocity);
+  all["angular_velocity"] = vector(s.angular_velocity);
   all["force"] = vector(s.force);
   all["couple"] = vector(s.couple);
   all["energy_J"] = s.energy;

@@ -51,9 +51,9 @@ void write_summary(ResultFolder& folder, const std::string& text) {
 }  // namespace
 
 struct RunFolder::Files {
-  Files(const Scene& the_scene, const std::filesystem::path& path, const Provenance& lines,
+  Files(const Scene& scene, const std::filesystem::path& path, const Provenance& lines,
         const RunOptions& the_options)
-      : scene(the_scene), watch(the_options.watch), folder(path, "run") {
+      : now(&scene), watch(the_options.watch), folder(path, "run") {
     if (the_options.ready) the_options.ready();
     folder.begin(lines);
     folder.write("summary.json", summary_of_running(scene, folder.lines()));
@@ -68,19 +68,19 @@ struct RunFolder::Files {
     checks.emplace(scene);
   }
 
-  void record(bool recorded, const State& now) {
-    progress->update(now.time, [&] { return reached(now); });
+  void record(bool recorded, const State& state) {
+    progress->update(state.time, [&] { return reached(state); });
     if (recorded) {
-      history->write(scene, now);
-      energy->write(scene, now);
+      history->write(*now, state);
+      energy->write(*now, state);
     }
-    if (!scene.output.channel_classes.empty()) accelerations.add(recorded, now);
-    if (watch) watch(recorded, now);
+    if (!now->output.channel_classes.empty()) accelerations.add(recorded, state);
+    if (watch) watch(recorded, state);
     history->keep_up();
     energy->keep_up();
   }
 
-  const Scene& scene;
+  const Scene* now;  // of the level
   LevelSink watch;
   ResultFolder folder;
   std::optional<CsvWriter> history, energy;
@@ -102,15 +102,19 @@ LevelSink RunFolder::sink() {
 
 std::vector<LevelView> RunFolder::views() {
   Files& files = *files_;
-  const OutputPart& output = files.scene.output;
+  const OutputPart& output = files.now->output;
   std::vector<LevelView> views;
   if (files.fields)
     views.push_back(at_multiples(output.fields_every, [&](const State& now) { files.fields->write(now); }));
   if (files.frames)
-    views.push_back(at_multiples(files.scene.time.end / output.frames,
+    views.push_back(at_multiples(files.now->time.end / output.frames,
                                  [&](const State& now) { files.frames->write(now); }));
   views.push_back(files.checks->view());
   return views;
+}
+
+void RunFolder::follow(const Scene& scene) {
+  files_->now = &scene;
 }
 
 void RunFolder::end(const State& state, RunOutcome& outcome) {
@@ -118,9 +122,9 @@ void RunFolder::end(const State& state, RunOutcome& outcome) {
   ResultFolder& folder = files.folder;
   files.checks->note(outcome);
   for (auto* table : {&files.history, &files.energy}) flush(**table, outcome);
-  if (const auto& classes = files.scene.output.channel_classes; !classes.empty())
+  if (const auto& classes = files.now->output.channel_classes; !classes.empty())
     folder.write("accelerations.csv", comment_lines(folder.lines()) + files.accelerations.table(classes));
-  write_summary(folder, summary_text(files.scene, state, outcome, files.checks->found(), folder.lines()));
+  write_summary(folder, summary_text(*files.now, state, outcome, files.checks->found(), folder.lines()));
   folder.end(status_name(outcome.status));
 }
 

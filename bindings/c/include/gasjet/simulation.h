@@ -107,15 +107,16 @@ GASJET_API int gasjet_sim_jet(gasjet_handle sim, int64_t jet, const double** ove
 /* Gas of the level. internal_energy counts what jets have taken. */
 GASJET_API int gasjet_sim_gas(gasjet_handle sim, gasjet_tank_state* gas);
 
-/* Contact of the impactor as evaluated: force [N] and couple [N m] about its centre on it, energy [J]. */
+/* The impactor and its contact as evaluated. */
 typedef struct gasjet_sim_impact {
-  double centre[3];     /* [m] of the impactor */
-  double velocity[3];   /* [m/s] half a step before the level; 0 of a pendulum */
-  double force[3];      /* [N] of the skin on the impactor */
-  double couple[3];     /* [N m] about the centre */
-  double energy;        /* [J] of the contact */
-  double penetration;   /* [m] */
-  double self_contacts; /* number of pairs of the skin's parts that touch */
+  double centre[3];           /* [m] */
+  double axes[9];             /* its x, y and z axis in space, three numbers each */
+  double velocity[3];         /* [m/s] half a step before the level */
+  double angular_velocity[3]; /* [rad/s] likewise */
+  double force[3];            /* [N] of the skin on the impactor */
+  double couple[3];           /* [N m] about the centre */
+  double energy;              /* [J] of the contact */
+  double penetration;         /* [m] */
 } gasjet_sim_impact;
 GASJET_API int gasjet_sim_read_impact(gasjet_handle sim, gasjet_sim_impact* impact);
 
@@ -149,7 +150,7 @@ GASJET_API int gasjet_sim_set_outlet(gasjet_handle sim, int64_t jet, const doubl
 GASJET_API int gasjet_sim_set_gravity(gasjet_handle sim, const double gravity[3]);
 
 /* Place of an impactor on a rail or free, from then on in place of its own dynamics: centre [m], its x, y and
- * z axis in space, three numbers each (NULL: as at the start), velocity [m/s] and angular velocity [rad/s]
+ * z axis in space, three numbers each (NULL: as now), velocity [m/s] and angular velocity [rad/s]
  * (NULL: 0) with which it goes on. After a step, before the level is evaluated. */
 GASJET_API int gasjet_sim_set_impactor(gasjet_handle sim, const double centre[3],
                                        const double GASJET_OR_NULL axes[9], const double velocity[3],

@@ -17,7 +17,8 @@ namespace driver {
 void set_vent_area(Simulation& simulation, std::size_t vent, double area);
 /// Switches a sensor of the case with `external = true`. `name`: its name.
 void set_sensor(Simulation& simulation, const std::string& name, bool on);
-/// Gas outside the volume: pressure [Pa] >= 0, temperature [K].
+/// Gas outside the volume: pressure [Pa] >= 0, temperature [K]. Walls that lose heat keep their outside
+/// temperature.
 void set_ambient(Simulation& simulation, double pressure, double temperature);
 /// What an inflator delivers, whatever its trigger does: mass flow [kg/s] >= 0, temperature [K].
 void set_inflow(Simulation& simulation, std::size_t inflator, double mass_flow, double temperature);

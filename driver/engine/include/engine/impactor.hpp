@@ -2,6 +2,8 @@
 // The impactor of a scene, whatever carries it: a pendulum, a rail, or nothing.
 #pragma once
 
+#include <utility>
+
 #include "engine/scene.hpp"
 #include "engine/state.hpp"
 
@@ -13,12 +15,17 @@ coupling::Pose impactor_start(const Scene& scene);
 /// A body's axes after a rotation vector `turn` [rad]; the same bits everywhere.
 Eigen::Matrix3d turned(const Eigen::Matrix3d& axes, const Eigen::Vector3d& turn);
 
+/// Rotation vector [rad] that turns axes into others, by less than half a turn; the same bits everywhere.
+Eigen::Vector3d turn_between(const Eigen::Matrix3d& before, const Eigen::Matrix3d& after);
+
 /// Where it is, and how far it has turned.
 struct ImpactorMotion {
   coupling::Pose pose;                             // at level n
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();  // [rad] since the last level
 };
 ImpactorMotion impactor_motion(const Scene& scene, const State& state);
+/// Velocity [m/s] of its centre and angular velocity [rad/s], at n-1/2.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> impactor_speeds(const Scene& scene, const State& state);
 /// [m/s] Speed of its fastest point, at n-1/2.
 double impactor_speed(const Scene& scene, const State& state);
 

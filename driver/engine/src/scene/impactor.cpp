@@ -36,6 +36,14 @@ Matrix3d turned(const Matrix3d& axes, const Vector3d& turn) {
   return angle > 0.0 ? Matrix3d(rotation(turn / angle, angle) * axes) : axes;
 }
 
+Vector3d turn_between(const Matrix3d& before, const Matrix3d& after) {
+  const Matrix3d r = after * before.transpose();
+  const Vector3d axial(0.5 * (r(2, 1) - r(1, 2)), 0.5 * (r(0, 2) - r(2, 0)), 0.5 * (r(1, 0) - r(0, 1)));
+  const double sine = axial.norm();
+  if (!(sine > 0.0)) return Vector3d::Zero();
+  return elementary::atan2(sine, 0.5 * (r.trace() - 1.0)) / sine * axial;
+}
+
 double turning_reach(const coupling::Impactor& shape) {
   return std::holds_alternative<coupling::Sphere>(shape) ? 0.0 : coupling::reach_of(shape);
 }
@@ -54,7 +62,18 @@ ImpactorMotion impactor_motion(const Scene& scene, const State& state) {
             state.step.before * motion.angular_velocity * scene.pendulum->model.parameters().axis};
   }
   const coupling::RigidBodyState& motion = state.body->motion;
+  if (state.body->driven)
+    return {{motion.centre, motion.axes}, turn_between(state.body->last_pose.axes, motion.axes)};
   return {{motion.centre, motion.axes}, state.step.before * scene.body->model.angular_velocity(motion)};
+}
+
+std::pair<Vector3d, Vector3d> impactor_speeds(const Scene& scene, const State& state) {
+  if (scene.pendulum) {
+    const coupling::PendulumModel& model = scene.pendulum->model;
+    const double rate = state.pendulum->motion.angular_velocity;
+    return {model.impactor_velocity(state.level.pendulum_angle, rate), rate * model.parameters().axis};
+  }
+  return {state.body->motion.velocity, scene.body->model.angular_velocity(state.body->motion)};
 }
 
 double impactor_speed(const Scene& scene, const State& state) {

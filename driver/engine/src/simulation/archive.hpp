@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -14,6 +15,12 @@
 #include "membrane/vectors.hpp"
 
 namespace driver {
+
+/// Checksum of bytes: the 64-bit FNV-1a hash.
+inline std::uint64_t checksum(std::string_view bytes, std::uint64_t start = 14695981039346656037U) {
+  for (const char byte : bytes) start = (start ^ static_cast<unsigned char>(byte)) * 1099511628211U;
+  return start;
+}
 
 /// Writes values, or reads what was written.
 class Archive {
@@ -28,7 +35,7 @@ class Archive {
   /// Values without pointers. Eigen's fixed sizes are such, though not by name.
   template <class... T>
   void plain(T&... values) {
-    static_assert((std::is_standard_layout_v<T> && ...));
+    static_assert(((std::is_standard_layout_v<T> && !std::is_pointer_v<T>)&&...));
     (bytes(&values, sizeof(T)), ...);
   }
   template <class T, class Allocator>

@@ -63,19 +63,25 @@ void require_rotation(const Eigen::Matrix3d& axes) {
   require_finite(axes, "axes");
   const double error = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(error < 1e-9 && axes.determinant() > 0.0))
-    refuse(fmt::format("axes: are no rotation, off by {:.3g}, allowed: 1e-9", error));
+    refuse(fmt::format("axes: are not a rotation, off by {:.3g}, allowed: 1e-9", error));
 }
 
-// Energy of the impactor that leaves the balance as the caller takes it over.
-void take_over(const Scene& scene, State& state) {
+void require_no_turn(const Scene& scene, const Vector3d& angular_velocity) {
+  if (!scene.body->model.is_free() && !angular_velocity.isZero(0.0))
+    refuse("angular_velocity: is not zero, allowed: zero, as a body on a rail does not turn");
+}
+
+// As the caller takes the impactor over, its energy at the last level leaves the balance.
+void take_over(State& state) {
   BodyRun& run = *state.body;
   if (std::exchange(run.driven, true)) return;
-  const coupling::RigidBodyModel& model = scene.body->model;
   run.last_pose = {run.motion.centre, run.motion.axes};
   run.last_velocity = run.motion.velocity;
-  if (state.steps > 0)
-    state.flows.driving_work -=
-        run.kinetic + model.gravity_energy(run.motion) + model.spring_energy(run.motion);
+  if (state.steps == 0) return;
+  run.last_pose = state.level.impactor;
+  run.last_contact = run.contact;
+  state.flows.driving_work -= run.kinetic + run.gravity_energy + run.spring_energy;
+  state.flows.kick_work -= run.kick.kinetic_after;
 }
 
 void set_speed(const Scene& scene, State& state, const Vector3d& velocity, const Vector3d& angular_velocity) {
@@ -118,9 +124,12 @@ void set_sensor(Simulation& simulation, const std::string& name, bool on) {
 }
 
 void set_ambient(Simulation& simulation, double pressure, double temperature) {
-  gas_of(simulation, "pressure");
+  gas::ControlVolumeModel model = gas_of(simulation, "pressure").model;
   require(pressure >= 0.0 && std::isfinite(pressure), "pressure", pressure, "0 or more");
   require(temperature > 0.0 && std::isfinite(temperature), "temperature", temperature, "above 0");
+  model.ambient.pressure = pressure;
+  model.ambient.temperature = temperature;
+  gas::validate(model);  // before anything changes
   simulation.change_level([pressure, temperature](Scene& scene, State& state) {
     settle_ambient_work(scene, state, pressure);
     for (gas::Ambient* ambient : {&scene.ambient, &scene.gas->model.ambient}) {
@@ -161,7 +170,7 @@ void set_outlet(Simulation& simulation, std::size_t jet, const Vector3d& centre,
   require_finite(axis, "axis");
   if (!(axis.norm() > 0.0)) refuse("axis: is zero, allowed: any other length");
   const jet::JetField& field = scene.jets[jet].field;
-  const jet::JetModel& model = field.model();
+  const jet::JetModel& model = simulation.now().given->jets[jet].field.model();
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(model.axis, axis);
   const Vector3d along =
       model.shape == jet::OutletShape::rectangular ? turn * model.long_direction : model.long_direction;
@@ -227,6 +236,7 @@ void set_impactor(Simulation& simulation, const ImpactorPlace& place) {
   require_finite(place.velocity, "velocity");
   require_finite(place.angular_velocity, "angular_velocity");
   require_rotation(place.axes);
+  require_no_turn(scene, place.angular_velocity);
   const State& now = simulation.state();
   const double jump = (place.centre - now.body->motion.centre).norm(),
                half = 0.5 * coupling::size_of(scene.impactor);
@@ -234,7 +244,7 @@ void set_impactor(Simulation& simulation, const ImpactorPlace& place) {
     refuse(
         fmt::format("centre: jumps by {:.3g} m, allowed: {:.3g} m, half of what it may sink in", jump, half));
   simulation.change_now([place](Scene& changed, State& state) {
-    take_over(changed, state);
+    take_over(state);
     state.body->motion.centre = place.centre;
     state.body->motion.axes = place.axes;
     set_speed(changed, state, place.velocity, place.angular_velocity);
@@ -246,6 +256,7 @@ void set_impactor_speed(Simulation& simulation, const Vector3d& velocity, const 
     refuse("sim: has no impactor of the caller, allowed: after its place was set");
   require_finite(velocity, "velocity");
   require_finite(angular_velocity, "angular_velocity");
+  require_no_turn(simulation.scene(), angular_velocity);
   simulation.change_now([velocity, angular_velocity](Scene& scene, State& state) {
     set_speed(scene, state, velocity, angular_velocity);
   });
@@ -258,12 +269,9 @@ gas::GasPoint gas_now(const Scene& scene, const State& state) {
 
 membrane::VectorsMap own_force(Simulation& simulation) {
   if (!simulation.scene().bag) refuse("sim: has no skin, allowed: a case with [membrane]");
-  const auto nodes = simulation.scene().bag->model.node_count;
   membrane::Vectors* force = nullptr;
-  simulation.change_now([nodes, &force](Scene&, State& state) {
-    if (state.bag->own_force.empty()) state.bag->own_force = membrane::Vectors(nodes);
-    force = &state.bag->own_force;
-  });
+  simulation.change_now([&](Scene&, State& state) { force = &state.bag->own_force; });
+  if (force->empty()) refuse("sim: takes no forces, allowed: a scene that is driven");
   return force->map();
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/build_info.hpp"
 #include "engine/controls.hpp"
@@ -94,12 +95,28 @@ void add(Archive& a, State& s) {
   for (JetRun& jet : s.jets) add(a, jet);
 }
 
-// What a state must agree on with its case.
-std::string key_of(const State& state) {
-  return fmt::format("gasjet state 1, {} {}, {} nodes, {} species, {} jets, {} {} {}", build_info::version,
-                     build_info::commit, state.bag ? state.bag->position.count() : 0, state.gas.masses.size(),
-                     state.jets.size(), state.pendulum.has_value(), state.body.has_value(),
-                     state.contact_cache.has_value());
+std::string_view bytes_of(const double* values, std::size_t count) {
+  return {reinterpret_cast<const char*>(values), count * sizeof(double)};
+}
+
+// What a state must agree on with its case: where skin and impactor start, and the gas.
+std::string key_of(const Scene& scene, const State& start) {
+  std::uint64_t sum = checksum(scene.name);
+  if (start.bag)
+    sum = checksum(
+        bytes_of(start.bag->position.data(), 4 * static_cast<std::size_t>(start.bag->position.count())), sum);
+  if (start.body) sum = checksum(bytes_of(start.body->motion.centre.data(), 3), sum);
+  const double numbers[] = {scene.time.end, start.gas.masses.empty() ? 0.0 : start.gas.internal_energy,
+                            start.pendulum ? start.pendulum->motion.angle : 0.0};
+  sum = checksum(bytes_of(numbers, 3),
+                 checksum(bytes_of(start.gas.masses.data(), start.gas.masses.size()), sum));
+  return fmt::format("gasjet state 1, {} {}, {} {:016x}", build_info::version, build_info::commit, scene.name,
+                     sum);
+}
+
+// The start of the scene as it was given.
+std::string key_of(const Simulation& simulation) {
+  return key_of(*simulation.now().given, make_state(*simulation.now().given));
 }
 
 }  // namespace
@@ -115,22 +132,30 @@ std::string saved(const Simulation& simulation) {
     throw std::invalid_argument("sim: has a setting that waits for the next level, allowed: after a step");
   Archive archive;
   State state = now.state;
-  std::string key = key_of(state);
+  std::string key = key_of(simulation);
   std::vector<Control> controls = now.controls;
   LevelProgress progress = simulation.loop().progress();
-  bool evaluated = now.evaluated;
+  std::uint8_t evaluated = now.evaluated ? 1 : 0;
   archive.text(key);
   archive.list(controls);
   archive.plain(progress, evaluated);
   add(archive, state);
-  return archive.written();
+  const std::uint64_t sum = checksum(archive.written());
+  return archive.written() + std::string(reinterpret_cast<const char*>(&sum), sizeof sum);
 }
 
 void restore(Simulation& simulation, std::string_view bytes) {
+  std::uint64_t sum = 0;
+  if (bytes.size() < sizeof sum)
+    throw std::invalid_argument("state: is cut off, allowed: bytes as they were saved");
+  std::memcpy(&sum, bytes.end() - sizeof sum, sizeof sum);
+  bytes.remove_suffix(sizeof sum);
+  if (sum != checksum(bytes))
+    throw std::invalid_argument("state: is damaged, allowed: bytes as they were saved");
   Archive archive(bytes);
   Simulation fresh(simulation);
   fresh.reset();
-  const std::string wanted = key_of(fresh.state());
+  const std::string wanted = key_of(simulation);
   std::string key;
   archive.text(key);
   if (key != wanted)
@@ -140,12 +165,12 @@ void restore(Simulation& simulation, std::string_view bytes) {
   archive.list(controls);
   for (const Control& control : controls) apply(fresh, control);
   LevelProgress progress = fresh.loop().progress();
-  bool evaluated = false;
+  std::uint8_t evaluated = 0;
   archive.plain(progress, evaluated);
   State state = fresh.state();
   add(archive, state);
   if (!archive.at_end()) throw std::invalid_argument("state: has more bytes than were saved");
-  fresh.take(state, progress, evaluated);
+  fresh.take(state, progress, evaluated != 0);
   simulation = static_cast<const Simulation&>(fresh);
 }
 

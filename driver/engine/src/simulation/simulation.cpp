@@ -18,7 +18,7 @@ namespace {
 
 // The scene, to be changed; a copy if somebody else has it, too.
 Scene& own_scene(Moment& now) {
-  if (now.scene.use_count() > 1) now.scene = std::make_shared<const Scene>(*now.scene);
+  if (now.scene.use_count() > 1) now.scene = std::make_shared<Scene>(*now.scene);
   std::atomic_thread_fence(std::memory_order_acquire);  // a copy of it may have been made by another thread
   return const_cast<Scene&>(*now.scene);                // made here, as the one given is kept
 }

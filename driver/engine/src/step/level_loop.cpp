@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/level_loop.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "engine/stages.hpp"
@@ -35,14 +36,17 @@ void LevelLoop::advance(const Scene& scene, State& state, const Executor& execut
 }
 
 void LevelLoop::complete_last(const Scene& scene, State& state, const Executor& executor) {
-  const State before = state;
+  const auto bag =
+      state.bag ? std::optional(std::pair(state.bag->position, state.bag->velocity)) : std::nullopt;
+  const auto pendulum = state.pendulum ? std::optional(state.pendulum->motion) : std::nullopt;
+  const auto body = state.body ? std::optional(state.body->motion) : std::nullopt;
   advance(scene, state, executor);
-  if (state.bag) {
-    state.bag->position = before.bag->position;
-    state.bag->velocity = before.bag->velocity;
+  if (bag) {
+    state.bag->position = bag->first;
+    state.bag->velocity = bag->second;
   }
-  if (state.pendulum) state.pendulum->motion = before.pendulum->motion;
-  if (state.body) state.body->motion = before.body->motion;
+  if (pendulum) state.pendulum->motion = *pendulum;
+  if (body) state.body->motion = *body;
 }
 
 void LevelLoop::move_on(const Scene& scene, State& state) const {

@@ -58,17 +58,19 @@ void follow_caller(const Scene& scene, State& state) {
   const StepSizes& step = state.step;
   const coupling::RigidBodyModel& model = scene.body->model;
   const Eigen::Vector3d path = run.motion.centre - run.last_pose.centre,
-                        turn = step.before * model.angular_velocity(run.motion);
+                        turn = turn_between(run.last_pose.axes, run.motion.axes);
   const double work = -0.5 * ((run.contact.force + run.last_contact.force).dot(path) +
                               (run.contact.couple + run.last_contact.couple).dot(turn));
   state.flows.driving_work += work;
   state.level.flows.driving_work += work;
-  run.velocity = run.motion.velocity;
-  if (step.before > 0.0) run.acceleration = (run.velocity - run.last_velocity) / step.before;
+  const double tau = kick_length(step);
+  const Eigen::Vector3d change = run.motion.velocity - run.last_velocity;
+  run.velocity = run.last_velocity + kick_share(step) * change;
+  if (step.before > 0.0 && tau > 0.0) run.acceleration = change / tau;
   run.angular_velocity = model.angular_velocity(run.motion);
   run.last_pose = {run.motion.centre, run.motion.axes};
   run.last_contact = run.contact;
-  run.last_velocity = run.velocity;
+  run.last_velocity = run.motion.velocity;
   run.kick = {};
   run.kinetic = run.driving_work = run.driving_work_before = 0.0;
   run.motion.centre += step.after * run.motion.velocity;

@@ -98,6 +98,7 @@ State make_state(const Scene& scene) {
   if (scene.bag) {
     const membrane::LoadKinds loads{!scene.jets.empty(), scene.contact || scene.skin_contact};
     state.bag = membrane::make_state(scene.bag->model, scene.bag->initial_position, loads);
+    if (scene.driven) state.bag->own_force = membrane::Vectors(scene.bag->model.node_count);
     membrane::update_skin(scene.bag->model, *state.bag, ParallelBlocks{Executor::serial()});
   }
   if (scene.gas && scene.has_volume()) start_gas(scene, state);

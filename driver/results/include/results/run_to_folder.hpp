@@ -37,6 +37,8 @@ class RunFolder {
   /// To be called for each level. It and the views refer to this object.
   LevelSink sink();
   std::vector<LevelView> views();
+  /// The scene of the levels that follow, if its caller has changed it; it must outlive their calls.
+  void follow(const Scene& scene);
   /// Completes the files of a run with that outcome, and adds its notes.
   void end(const State& state, RunOutcome& outcome);
 
