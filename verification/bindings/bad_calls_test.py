@@ -31,6 +31,7 @@ def between_numbers():
 
 
 NUMBERS = [None, "1", [1.0, 2.0], 1j, NAN, float("inf"), object()]
+ARRAYS = [None, "1", ["1"], [300.0, None], [300.0, NAN], [[300.0], [float("inf")]], [[1.0], [1.0, 2.0]], 1j, [1j], NAN, np.ma.masked_equal([300.0, 1.0], 1.0), object()]
 VECTORS = [None, "abc", 1.0, (1.0, 0.0), (1.0, 0.0, 0.0, 0.0), (1.0, NAN, 0.0), (1.0, None, 0.0), (float("inf"), 0.0, 0.0)]
 POINTS = [None, "nodes", 1.0, NODES.astype(np.longdouble), NODES.astype(np.int64) + 2**53, NODES.astype(bool), NODES.astype(complex), NODES.astype(object), NODES[:, :2],
           NODES.ravel(), NODES[None], NODES[:0], NODES.tolist()[:3] + [[0.0, 1.0]], with_row(NAN), with_row([0.0, 0.0, -np.inf]),
@@ -78,9 +79,9 @@ class BadCalls(unittest.TestCase):
         air = gasjet.Gas("N2=0.78, O2=0.22")
         self.each(gasjet.Gas, dict(composition="N2=1", constant_cp_at=0.0), composition=TEXTS, constant_cp_at=NUMBERS)
         self.each(gasjet.Gas.ideal, dict(gas_constant=297.0, cp=1039.0), gas_constant=NUMBERS, cp=NUMBERS)
-        self.each(air.properties, dict(temperature=300.0), temperature=NUMBERS)
-        self.each(air.temperature, dict(internal_energy=3e5), internal_energy=NUMBERS)
-        self.each(air.entropy, dict(temperature=300.0, pressure=1e5), temperature=NUMBERS, pressure=NUMBERS)
+        self.each(air.properties, dict(temperature=300.0), temperature=ARRAYS)
+        self.each(air.temperature, dict(internal_energy=3e5), internal_energy=ARRAYS)
+        self.each(air.entropy, dict(temperature=300.0, pressure=1e5), temperature=ARRAYS, pressure=ARRAYS)
         hole = dict(effective_area=1.0, pressure=2e5, temperature=300.0, gas_constant=297.0, cp=1039.0, ambient_pressure=1e5)
         self.each(gasjet.orifice, hole, **{argument: NUMBERS for argument in hole})
         fabric = dict(leak_area=1.0, density=1.0, overpressure=1.0)

@@ -2,9 +2,11 @@
 """Arrays for the library, as views if the layout allows it."""
 from __future__ import annotations
 
-from typing import Any, Sequence, Tuple
+from typing import Any, Callable, Sequence, Tuple
 
 import numpy as np
+
+from .errors import DomainError, InputError
 
 Vector = Sequence[float]
 NAN = float("nan")
@@ -109,3 +111,30 @@ def as_indices(numbers: Any, name: str) -> np.ndarray:
     if array.dtype.kind not in "iu" or array.ndim != 1:
         raise TypeError(f"{name}: are {array.dtype} in {array.ndim} dimensions, allowed: a list of integers")
     return np.ascontiguousarray(np.clip(array, -1, 2**31 - 1), np.int32)
+
+
+def is_single(given: Any) -> bool:
+    """True for what is no array, list or tuple."""
+    return not isinstance(given, (list, tuple)) and getattr(given, "ndim", 0) == 0
+
+
+def at_each(function: Callable[..., Any], values_each: Tuple[int, ...] = (), **given: Any) -> Any:
+    """function(numbers...) for numbers, and for arrays, which are broadcast, at each place; values_each: shape of what it returns.
+
+    A fault names its place.
+    """
+    if all(is_single(values) for values in given.values()):
+        return function(*given.values())
+    some = [as_numbers(values, name) for name, values in given.items()]
+    try:
+        arrays = np.broadcast_arrays(*some)
+    except ValueError:
+        shapes = " and ".join(str(array.shape) for array in some)
+        raise TypeError(f"{', '.join(given)}: have the shapes {shapes}, allowed: one shape, or those that numpy broadcasts") from None
+    results = np.empty(arrays[0].shape + values_each)
+    for place in np.ndindex(arrays[0].shape):
+        try:
+            results[place] = function(*(float(array[place]) for array in arrays))
+        except (DomainError, InputError) as error:
+            raise type(error)(f"{error} (at {list(place)})") from None
+    return results

@@ -7,45 +7,58 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 
 from . import _gasjet
-from .arrays import NAN, NO_VECTOR, Vector, as_column, as_indices, as_points, as_triangles, handle_of, mesh_arrays
+from .arrays import NAN, NO_VECTOR, Vector, as_column, as_indices, as_points, as_triangles, at_each, handle_of, is_single, mesh_arrays
 from .errors import Error
 
 
 class Gas:
-    """A mixture by mole, "N2=0.78, O2=0.22", with NASA-7 heat capacities.
+    """A mixture by mole, "N2=0.78, O2=0.22" or "N2:0.78, O2:0.22", with NASA-7 heat capacities.
 
     Species: N2 O2 Ar He H2 CO CO2 H2O NO N2O NH3 CH4. constant_cp_at [K]: makes cp constant, with its value at this temperature.
+    Temperatures and the like may be arrays; so are the results then.
     """
 
-    __slots__ = ("_handle", "_words", "__weakref__")
+    __slots__ = ("_handle", "_made_by", "__weakref__")
 
     def __init__(self, composition: str, constant_cp_at: float = 0.0) -> None:
+        if isinstance(composition, str):
+            composition = composition.replace(":", "=")
         self._handle = _gasjet.gas(composition, constant_cp_at)
-        self._words = composition + (f", constant cp at {constant_cp_at:g} K" if constant_cp_at else "")
+        self._made_by: Tuple[Any, ...] = (Gas, composition, constant_cp_at)
 
     @classmethod
     def ideal(cls, gas_constant: float, cp: float) -> Gas:
         """A gas of constant cp [J/(kg K)] > gas_constant [J/(kg K)] > 0."""
         made = cls.__new__(cls)
         made._handle = _gasjet.ideal_gas(gas_constant, cp)
-        made._words = f"ideal, gas constant {gas_constant:g} J/(kg K), cp {cp:g} J/(kg K)"
+        made._made_by = (Gas.ideal, gas_constant, cp)
         return made
 
     def __repr__(self) -> str:
-        return f"<gasjet.Gas {self._words}>"
+        how, first, second = self._made_by
+        if how is not Gas:
+            return f"<gasjet.Gas ideal, gas constant {first:g} J/(kg K), cp {second:g} J/(kg K)>"
+        return f"<gasjet.Gas {first}{f', constant cp at {second:g} K' if second else ''}>"
 
-    def properties(self, temperature: float) -> Dict[str, float]:
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return self._made_by[0], self._made_by[1:]
+
+    def properties(self, temperature: Any) -> Dict[str, Any]:
         """Properties of 1 kg at temperature [K]: gas_constant_J_kgK, cp_J_kgK, cv_J_kgK, gamma, enthalpy_J_kg, internal_energy_J_kg,
         speed_of_sound_m_s."""
-        return _gasjet.gas_values(self._handle, temperature)
+        if is_single(temperature):
+            return _gasjet.gas_values(self._handle, temperature)
+        names = _gasjet.gas_values(self._handle, 300.0)
+        rows = at_each(lambda one: tuple(_gasjet.gas_values(self._handle, one).values()), (len(names),), temperature=temperature)
+        return {name: rows[..., i] for i, name in enumerate(names)}
 
-    def temperature(self, internal_energy: float) -> float:
+    def temperature(self, internal_energy: Any) -> Any:
         """Temperature [K] from the internal energy [J/kg]."""
-        return _gasjet.gas_temperature(self._handle, internal_energy)
+        return at_each(lambda one: _gasjet.gas_temperature(self._handle, one), internal_energy=internal_energy)
 
-    def entropy(self, temperature: float, pressure: float) -> float:
-        """Entropy [J/(kg K)] at temperature [K] and pressure [Pa]."""
-        return _gasjet.gas_entropy(self._handle, temperature, pressure)
+    def entropy(self, temperature: Any, pressure: Any) -> Any:
+        """Entropy [J/(kg K)] at temperature [K] and pressure [Pa]; arrays are broadcast."""
+        return at_each(lambda t, p: _gasjet.gas_entropy(self._handle, t, p), temperature=temperature, pressure=pressure)
 
 
 def orifice(effective_area: float, pressure: float, temperature: float, gas_constant: float, cp: float,

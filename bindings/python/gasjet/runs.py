@@ -7,35 +7,15 @@ import os
 import re
 import tempfile
 import warnings
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _gasjet
 from .arrays import as_column, as_numbers
 from .errors import DomainError, GasjetWarning, InputError, StoppedError
-
-Path = Union[str, "os.PathLike[str]"]
-Table = Dict[str, np.ndarray]
-
-
-class Run:
-    """Results of a run: `history` and `energy`, arrays by column (views that keep the run alive); `summary` as in summary.json.
-
-    `warnings`: likely mistakes in the case, and a drift of the energy, as the command prints them.
-    """
-
-    __slots__ = ("history", "energy", "summary", "warnings", "__weakref__")
-
-    def __init__(self, history: Table, energy: Table, summary: Dict[str, Any]) -> None:
-        self.history = history
-        self.energy = energy
-        self.summary = summary
-        self.warnings: List[str] = summary["warnings"]
-
-    def __repr__(self) -> str:
-        told = {0: "", 1: ", 1 warning"}.get(len(self.warnings), f", {len(self.warnings)} warnings")
-        return f"<gasjet.Run {self.summary['scene']}: {self.summary['status']}, {len(self.history['time_s'])} rows{told}>"
+from .results import Run
+from .tables import Path
 
 
 def _toml(value: Any) -> str:
@@ -103,7 +83,7 @@ def run(case: Union[Path, Mapping[str, Any]], set: Optional[Mapping[str, Any]] =
         status, message, history, energy, summary, raised = _gasjet.run(*case_arguments(case, text, set, out), threads, progress)
     except InputError as error:
         raise InputError(in_words(str(error))) from None
-    made = Run(history, energy, json.loads(summary))
+    made = Run(history, energy, json.loads(summary), out)
     if raised is not None:
         raise _with_run(raised, made)
     for warning in made.warnings:
@@ -146,7 +126,7 @@ def _number(given: Any, name: str) -> float:
     return float(array)
 
 
-def exact(name: str, times: Any = None, **parameters: float) -> Table:
+def exact(name: str, times: Any = None, **parameters: float) -> Dict[str, np.ndarray]:
     """A closed form by name (see catalogue()), as arrays by column; times: its abscissae. Loads GSL, which is GPL."""
     _exact = _closed_forms()
     lines = "\n".join(f"{key}={_number(value, key)!r}" for key, value in parameters.items())
@@ -175,7 +155,7 @@ def compare(mine: Union[Path, Mapping[str, Any], Run], reference: Union[Path, Ma
     if not isinstance(columns, (list, tuple)) or not all(isinstance(name, str) and name and "," not in name for name in columns):
         raise TypeError(f"columns: is {columns!r}, allowed: a list of names")
     with tempfile.TemporaryDirectory() as folder:
-        files = [_file_of(mine, "mine", folder, map is None), _file_of(reference, "reference", folder, True)]
+        files = [file_of(mine, "mine", folder, map is None), file_of(reference, "reference", folder, True)]
         try:
             text = _gasjet.compare(*files, None if map is None else _path(map, "map"), ",".join(columns), tolerance)
         except InputError as error:
@@ -200,7 +180,7 @@ def _without_file(text: str, folder: str) -> str:
     return re.sub(re.escape(os.path.join(folder, "")) + r"(mine|reference)\.csv(?::(\d+):\d+)?: (?:(\w+): )?", place, text)
 
 
-def _file_of(history: Any, argument: str, folder: str, own_names: bool) -> bytes:
+def file_of(history: Any, argument: str, folder: str, own_names: bool) -> bytes:
     """The file of a history; a dict is written into the folder, with all digits."""
     if isinstance(history, Run):
         history = history.history

@@ -228,9 +228,9 @@ class Simulation:
 
     @property
     def results(self) -> Run:
-        """The rows so far, and the summary."""
+        """The rows so far, and the summary; frames with `out`, after finish()."""
         history, energy, summary = _gasjet.sim_results(self._handle)
-        return Run(history, energy, json.loads(summary))
+        return Run(history, energy, json.loads(summary), self._case[3])
 
     def set_vent(self, vent: int, area: float) -> None:
         """Area [m2] of a vent, in place of the case's; its trigger stays."""
