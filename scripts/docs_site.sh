@@ -30,6 +30,7 @@ for path in ./*.md CITATION.cff Dockerfile LICENSE docs bindings cases cmake dri
 done
 cp -rL /usr/share/javascript/katex/katex.min.css /usr/share/javascript/katex/fonts docs/make/site/site.css "$source/assets"
 docs/make/site/api_docs.sh "$source/api" >/dev/null
+/usr/bin/python3 -B docs/make/site/api_pages.py "$source/api"
 for name in passenger_pendulum passenger_pendulum_no_jet; do
   "$gasjet" run "cases/$name.toml" --out "$runs/$name" --quiet
 done

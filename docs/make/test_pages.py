@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What writes the pages says what its files say, and each check can fail."""
 import pathlib
+import re
 import sys
 
 import pytest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "pages"))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE / "pages"), str(HERE / "site")]
+import api_pages  # noqa: E402
 import claims  # noqa: E402
 import gallery  # noqa: E402
 import write  # noqa: E402
@@ -119,3 +122,24 @@ def test_stability(tmp_path):
     assert drift(THRESHOLD) == "" and "no test says" in drift() and "not in the atlas" in drift(THRESHOLD, changed(THRESHOLD, 4, "ball"))
     for field, text, says in ((8, "0.01002", "predicted is"), (9, "0.0102", "ratio is"), (12, "1.06", "reads otherwise"), (13, "exit 2", "reads otherwise")):
         assert says in drift(changed(THRESHOLD, field, text))
+
+
+def test_api_pages(tmp_path, monkeypatch):
+    """Every public name once, with its words; what has none is refused."""
+    headers = "".join(file.read_text() for file in api_pages.HEADERS)
+    functions = set(re.findall(r"^GASJET_API [^(]*?(\w+)\(", headers, re.M))
+    assert len(functions) == headers.count("\nGASJET_API ") > 80
+    structures = set(re.findall(r"typedef struct (\w+)", headers))
+    for page, more in ((api_pages.c_page(), {"gasjet_handle", "gasjet_status"}), (api_pages.fortran_page(), {"gasjet_message"})):
+        listed = [name for names in re.findall(r"^### (.*)$", page, re.M) for name in names.split(", ")]
+        assert functions | structures | more <= set(listed) and len(listed) == len(set(listed))
+        assert page.count("```") % 2 == 0 and "Pressure ratio at which a hole chokes (G.5), gamma > 1.".replace(">", "\\>") in page
+    assert "### gasjet_gas_temperature\n\n```c\nint gasjet_gas_temperature(gasjet_handle gas, double internal_energy, double* temperature);\n```\n" in api_pages.c_page()
+    python = api_pages.python_page()
+    assert "gasjet.mesh(kind: str, " in python and "Simulation.drift: float\n```\n\nLargest drift" in python and "Gas.ideal(gas_constant: float" in python
+    (tmp_path / "__init__.py").write_text('"""Words."""\n__all__ = ["f"]\n')
+    monkeypatch.setattr(api_pages, "PACKAGE", tmp_path)
+    for text, says in (("def f(): ...\n", "gasjet.f has no docstring"), ("def g(): ...\n", "gasjet.f is in __all__")):
+        (tmp_path / "f.py").write_text(text)
+        with pytest.raises(SystemExit, match=says):
+            api_pages.python_page()
