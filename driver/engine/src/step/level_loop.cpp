@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/level_loop.hpp"
 
-#include <optional>
 #include <utility>
 
 #include "engine/stages.hpp"
@@ -36,17 +35,16 @@ void LevelLoop::advance(const Scene& scene, State& state, const Executor& execut
 }
 
 void LevelLoop::complete_last(const Scene& scene, State& state, const Executor& executor) {
-  const auto bag =
-      state.bag ? std::optional(std::pair(state.bag->position, state.bag->velocity)) : std::nullopt;
-  const auto pendulum = state.pendulum ? std::optional(state.pendulum->motion) : std::nullopt;
-  const auto body = state.body ? std::optional(state.body->motion) : std::nullopt;
+  membrane::Vectors position, velocity;
+  std::vector<PendulumRun> pendulum;
+  std::vector<BodyRun> body;
+  if (state.bag) position = state.bag->position, velocity = state.bag->velocity;
+  if (state.pendulum) pendulum.push_back(*state.pendulum);
+  if (state.body) body.push_back(*state.body);
   advance(scene, state, executor);
-  if (bag) {
-    state.bag->position = bag->first;
-    state.bag->velocity = bag->second;
-  }
-  if (pendulum) state.pendulum->motion = *pendulum;
-  if (body) state.body->motion = *body;
+  if (state.bag) state.bag->position = position, state.bag->velocity = velocity;
+  if (state.pendulum) state.pendulum->motion = pendulum.front().motion;
+  if (state.body) state.body->motion = body.front().motion;
 }
 
 void LevelLoop::move_on(const Scene& scene, State& state) const {
