@@ -55,6 +55,34 @@ TEST(simulation, own_impactor_by_the_same_arithmetic_has_the_bits_of_the_scenes)
   EXPECT_LT(drift(simulation), 1e-3);
 }
 
+// The caller takes over a body in contact and moves it on as it would have moved: nothing appears in the
+// balance.
+TEST(simulation, a_body_is_taken_over_without_a_jump_of_the_energy) {
+  Simulation simulation =
+      simulation_of("guided_headform", {"scene.end_time=0.04", "contact.stiffness_share=0.02"});
+  simulation.record_all(true);
+  simulation.advance(0.03);
+  simulation.step();
+  const coupling::RigidBodyModel& model = simulation.scene().body->model;
+  coupling::RigidBodyState motion = simulation.state().body->motion;
+  const double before = simulation.state().level.energy_residual,
+               kick = simulation.state().level.kick_residual;
+  double largest = 0.0;
+  for (int k = 0; k < 20; ++k) {
+    set_impactor(simulation, {motion.centre, motion.axes, motion.velocity, model.angular_velocity(motion)});
+    simulation.evaluate();
+    const driver::State& now = simulation.state();
+    model.advance(motion, {now.contact.force, now.contact.couple}, 0.5 * (now.step.before + now.step.after),
+                  now.step.after);
+    set_impactor_speed(simulation, motion.velocity, model.angular_velocity(motion));
+    simulation.step();
+    largest = std::max(largest, std::abs(simulation.state().level.energy_residual - before));
+  }
+  EXPECT_GT(simulation.state().contact.force.norm(), 100.0);
+  EXPECT_LT(largest, 0.02);  // [J], of some 150 that the body had
+  EXPECT_LT(std::abs(simulation.state().level.kick_residual - kick), 1e-9);
+}
+
 // In a stiff contact that bounces, roundings grow: to 4e-7 in 30 ms.
 TEST(simulation, own_impactor_follows_the_scenes) {
   const Overrides overrides{"scene.end_time=0.03", "contact.stiffness_share=0.02"};
@@ -180,7 +208,7 @@ TEST(simulation, names_what_is_wrong) {
   expect(refusal([&] {
            set_impactor(simulation, {Vector3d::UnitX(), Eigen::Matrix3d::Zero()});
          }),
-         "no rotation");
+         "not a rotation");
   expect(refusal([&] { simulation.advance(nan); }), "time: is nan");
   expect(refusal([&] { simulation.step(-1); }), "count: is -1");
   simulation.evaluate();
