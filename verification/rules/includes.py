@@ -14,8 +14,9 @@ LIBRARIES = {
     "libmembrane/mesh": ("mesh", {"elementary", "Eigen"}),
     "libcoupling": ("coupling", {"elementary", "Eigen", "experimental"}),
     "verification/closed_form": ("closed_form", {"gsl"}),
+    "verification/enclosure": ("enclosure", {"arb.h", "arb_mat.h", "arb_poly.h", "flint"}),
 }
-NAMES = "(gas|membrane|mesh|jet|coupling|closed_form|driver)"
+NAMES = "(gas|membrane|mesh|jet|coupling|closed_form|enclosure|driver)"
 # CGAL's headers are slow to compile, and some of them are under the GPL.
 MAY_USE_CGAL = r"libjet/src/.*\.cpp|driver/results/src/(mesh_files/soup|crossing/exact)\.cpp|(verification|benchmarks)/.*"
 # The driver's layers from below; those of one line do not know each other.

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "enclosure/enclose.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "bounds.hpp"
+#include "start.hpp"
+#include "walk.hpp"
+
+namespace enclosure {
+namespace {
+
+/// A time at which a tube has to stop: a requested one, or one at which a function of time changes, between
+/// two ends.
+struct Stop {
+  Ball begin, end;
+  bool requested;
+};
+
+std::vector<Stop> stops(const Tank& tank, const Request& request) {
+  std::vector<Stop> all;
+  for (double t : request.times) all.push_back({Ball(t), Ball(t), true});
+  for (const Ball& t : tank.breaks()) all.push_back({lower(t), upper(t), false});
+  std::stable_sort(all.begin(), all.end(), [](const Stop& a, const Stop& b) {
+    return arf_cmp(arb_midref(a.begin.get()), arb_midref(b.begin.get())) < 0;
+  });
+  return all;
+}
+
+bool before(const Ball& a, const Ball& b) {
+  return arf_cmp(arb_midref(a.get()), arb_midref(b.get())) < 0;
+}
+
+std::vector<std::string> columns(const Scene& s) {
+  std::vector<std::string> names{"pressure_Pa", "temperature_K", "volume_m3", "gas_mass_kg"};
+  const auto add = [&](const char* kind, const std::string& name, const char* end) {
+    names.push_back(std::string(kind).append(name).append(end));
+  };
+  for (const Species& species : s.species) add("mass_", species.name, "_kg");
+  for (std::size_t i = 0; i < s.inflators.size(); ++i) add("inflator_", std::to_string(i), "_in_kg");
+  for (std::size_t i = 0; i < s.holes.size(); ++i) add("vent_", std::to_string(i), "_out_kg");
+  for (std::size_t i = 0; i < s.fabrics.size(); ++i)
+    add("fabric_", s.fabrics.size() == 1 ? std::string() : std::to_string(i).append(1, '_'), "out_kg");
+  for (std::size_t i = 0; i < s.holes.size(); ++i)
+    if (s.holes[i].backflow) add("vent_", std::to_string(i), "_backflow_kg");
+  return names;
+}
+
+/// A ball is no proof of a temperature outside the range of the polynomials.
+void require_range(const Tank& tank, const Ball& temperature, const Ball& time) {
+  if (tank.constant_cp) return;
+  if ((temperature - Ball(tank.minimum_temperature)).is_positive() &&
+      (Ball(tank.maximum_temperature) - temperature).is_positive())
+    return;
+  char text[160];
+  std::snprintf(text, sizeof text, "at t = %.4g s the temperature, %.4g K, is not within %.4g to %.4g K",
+                time.middle(), temperature.middle(), tank.minimum_temperature, tank.maximum_temperature);
+  throw Refusal(text);
+}
+
+Moment empty_moment(const Tank& tank, double time, std::size_t count) {
+  Moment moment{time, std::vector<Bounds>(count, bounds(Ball(0.0)))};
+  const Ball at(time);
+  Ball volume;
+  tank.volumes[0].series({at, at}, Mode::series, volume.get(), 1);
+  moment.bounds[1] = bounds(Ball(tank.scene.initial_temperature));
+  moment.bounds[2] = bounds(volume);
+  return moment;
+}
+
+}  // namespace
+
+Tube enclose(const Scene& scene, const Request& request) {
+  const Tank tank(scene);
+  if (request.times.empty() || !std::is_sorted(request.times.begin(), request.times.end()) ||
+      !(request.times.front() >= 0.0) || !std::isfinite(request.times.back()))
+    throw std::invalid_argument("enclosure: the times need to be 0 or later, and to rise");
+  if (!(request.width >= 1e-25 && request.width < 1.0))
+    throw std::invalid_argument("enclosure: the width needs to be from 1e-25 to below 1");
+  const Start start = start_of(tank);
+  Walk walk(tank, start.time, start.unknowns, 1e-5 * request.width);
+  Tube tube;
+  tube.columns = columns(scene);
+  const auto begin = std::chrono::steady_clock::now();
+  for (const Stop& stop : stops(tank, request)) {
+    if (stop.requested && !before(start.empty_until, stop.begin)) {
+      tube.moments.push_back(empty_moment(tank, stop.begin.middle(), tube.columns.size()));
+      continue;
+    }
+    if (before(Ball(request.times.back()), stop.begin)) break;
+    while (before(walk.time(), stop.begin)) {
+      walk.step(stop.begin);
+      require_range(tank, walk.temperature(), walk.time());
+      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+      if (spent.count() > request.longest) {
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "computing takes longer than %.3g s: %ld steps so far, to t = %.4g s of %.4g s",
+                      request.longest, walk.steps, walk.time().middle(), request.times.back());
+        throw Refusal(text);
+      }
+    }
+    if (before(walk.time(), stop.end)) walk.cross_to(stop.end);
+    if (!stop.requested) continue;
+    if (before(stop.begin, walk.time()))
+      throw Refusal("a requested time is too close to a change at an uncertain time");
+    Moment moment{stop.begin.middle(), {}};
+    for (const Ball& value : walk.values()) moment.bounds.push_back(bounds(value));
+    tube.moments.push_back(moment);
+  }
+  tube.steps = walk.steps;
+  tube.crossings = walk.crossings;
+  return tube;
+}
+
+}  // namespace enclosure

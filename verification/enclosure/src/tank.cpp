@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tank.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "enclosure/enclose.hpp"
+
+namespace enclosure {
+namespace {
+
+void require(bool condition, const std::string& what) {
+  if (!condition) throw std::invalid_argument("enclosure: " + what);
+}
+
+void check_curve(const Curve& curve, const std::string& name, bool may_jump) {
+  require(!curve.empty(), name + " has no knot; give one or more");
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    require(std::isfinite(curve[i].at) && std::isfinite(curve[i].value),
+            name + " has a value that is not finite");
+    if (i == 0) continue;
+    require(curve[i].at >= curve[i - 1].at, name + " has knots that fall; order them");
+    if (curve[i].at == curve[i - 1].at && !may_jump)
+      throw Refusal(name + " jumps: the solution across a jump in p is not defined; make it a slope");
+  }
+}
+
+void check_fractions(const std::vector<double>& fractions, std::size_t count, const std::string& name) {
+  require(fractions.size() == count, name + " needs one mass fraction per species");
+  double sum = 0.0;
+  for (double y : fractions) {
+    require(y >= 0.0, name + " has a negative mass fraction");
+    sum += y;
+  }
+  require(std::abs(sum - 1.0) < 1e-9, name + " has mass fractions whose sum is not 1");
+}
+
+void check_openings(const Scene& s) {
+  for (const Hole& hole : s.holes) {
+    require(hole.discharge_coefficient >= 0.0, "a discharge coefficient is negative");
+    if (hole.area_of_overpressure)
+      check_curve(*hole.area_of_overpressure, "the area of a hole over pressure", false);
+    else
+      check_curve(hole.area, "the area of a hole", true);
+    if (hole.backflow) check_fractions(s.ambient_fractions, s.species.size(), "the ambient gas");
+  }
+  for (const Fabric& fabric : s.fabrics) {
+    require(fabric.coefficient >= 0.0, "the area of a fabric is negative");
+    if (fabric.velocity) check_curve(*fabric.velocity, "the velocity through a fabric", false);
+  }
+}
+
+void check(const Scene& s) {
+  require(!s.species.empty(), "the scene has no species");
+  check_fractions(s.initial_fractions, s.species.size(), "the initial gas");
+  require(s.initial_pressure >= 0.0, "the initial pressure is negative");
+  require(s.initial_pressure == 0.0 || s.initial_temperature > 0.0,
+          "the initial temperature is not positive");
+  require(s.ambient_pressure >= 0.0, "the ambient pressure is negative");
+  require(s.ambient_temperature > 0.0, "the ambient temperature is not positive");
+  require(s.laminar_share >= 0.0, "laminar_share is negative");
+  require(s.wall_conductance >= 0.0, "the conductance of the walls is negative");
+  if (!s.wave) check_curve(s.volume, "the volume", false);
+  for (const Inflator& inflator : s.inflators) {
+    check_fractions(inflator.mass_fractions, s.species.size(), "an inflator");
+    check_curve(inflator.mass_flow, "a mass flow", true);
+    check_curve(inflator.temperature, "the temperature of an inflator", true);
+    for (const Knot& knot : inflator.mass_flow) require(knot.value >= 0.0, "a mass flow is negative");
+    require(inflator.mass_flow.size() == 1 || inflator.mass_flow.front().at >= 0.0,
+            "a mass flow begins before its inflator fires");
+  }
+  check_openings(s);
+}
+
+}  // namespace
+
+Balls Tank::enthalpy(const std::vector<double>& fractions, bool high) const {
+  Balls c(6);
+  for (std::size_t k = 0; k < species(); ++k) {
+    const auto& a = high ? scene.species[k].high : scene.species[k].low;
+    const Ball factor = Ball(fractions[k]) * gas_constants[k];
+    c[0] = c[0] + factor * Ball(a[5]);
+    for (std::size_t j = 0; j < 5; ++j)
+      c[j + 1] = c[j + 1] + factor * Ball(a[j]) / Ball(static_cast<double>(j + 1));
+  }
+  if (constant_cp) c.resize(2);
+  return c;
+}
+
+Balls Tank::internal_energy(const std::vector<double>& fractions, bool high) const {
+  Balls c = enthalpy(fractions, high);
+  for (std::size_t k = 0; k < species(); ++k) c[1] = c[1] - Ball(fractions[k]) * gas_constants[k];
+  return c;
+}
+
+Tank::Tank(const Scene& given) : scene(given), maximum_temperature(std::numeric_limits<double>::infinity()) {
+  check(scene);
+  for (const Species& s : scene.species) {
+    gas_constants.push_back(Ball(8.31446261815324) / Ball(s.molar_mass));  // CODATA 2018, exact
+    constant_cp = constant_cp && s.constant_cp;
+    minimum_temperature = std::max(minimum_temperature, s.minimum_temperature);
+    maximum_temperature = std::min(maximum_temperature, s.maximum_temperature);
+  }
+  for (const Inflator& inflator : scene.inflators) {
+    const Piecewise temperature(inflator.temperature, inflator.start, false);
+    inflows.push_back({Piecewise(inflator.mass_flow, inflator.start, true),
+                       temperature.through(enthalpy(inflator.mass_fractions, false),
+                                           enthalpy(inflator.mass_fractions, true), joint_temperature)});
+  }
+  std::vector<Ball> levels;
+  const double pa = scene.ambient_pressure;
+  if (pa > 0.0 && !(scene.holes.empty() && scene.fabrics.empty())) levels.emplace_back(0.0);
+  const auto add_levels = [&](const Curve& curve) {
+    for (const Knot& knot : curve)
+      if (knot.at != 0.0 && curve.size() > 1) levels.emplace_back(knot.at);
+  };
+  for (const Hole& hole : scene.holes) {
+    const bool of_time = !hole.area_of_overpressure;
+    areas.emplace_back(of_time ? hole.area : Curve{{0.0, 1.0}}, 0.0, false);
+    if (!of_time) add_levels(*hole.area_of_overpressure);
+    has_backflow = has_backflow || hole.backflow;
+  }
+  for (const Fabric& fabric : scene.fabrics)
+    if (fabric.velocity) add_levels(*fabric.velocity);
+  if (!scene.wave) volumes.emplace_back(scene.volume, 0.0, false);
+  if (has_backflow) {
+    const bool high = scene.ambient_temperature > joint_temperature;
+    const Ball t(scene.ambient_temperature);
+    for (std::size_t k = 0; k < species(); ++k)
+      ambient.gas_constant = ambient.gas_constant + Ball(scene.ambient_fractions[k]) * gas_constants[k];
+    const Balls h = enthalpy(scene.ambient_fractions, high);
+    Ball cp;
+    for (std::size_t j = h.size(); j-- > 1;) cp = cp * t + h[j] * Ball(static_cast<double>(j));
+    ambient.gamma = cp / (cp - ambient.gas_constant);
+    ambient.enthalpy = polynomial(h, t);
+    const Ball g = ambient.gamma, one(1.0);
+    levels.push_back(Ball(pa) * (exp(g / (g - one) * log(Ball(2.0) / (g + one))) - one));
+  }
+  std::sort(levels.begin(), levels.end(),
+            [](const Ball& a, const Ball& b) { return a.middle() < b.middle(); });
+  for (const Ball& level : levels)
+    if (surfaces.empty() || !arb_equal(surfaces.back().offset.get(), level.get()))
+      surfaces.push_back({Surface::Kind::level, level});
+  if (pa > 0.0 && !scene.holes.empty()) surfaces.push_back({Surface::Kind::sonic});
+  if (!constant_cp) {
+    surfaces.push_back({Surface::Kind::joint});
+    surfaces.push_back({Surface::Kind::joint_energy});
+  }
+}
+
+Balls Tank::breaks() const {
+  Balls all;
+  const auto add = [&](const Piecewise& f) { all.insert(all.end(), f.breaks().begin(), f.breaks().end()); };
+  for (const InflowFunctions& inflow : inflows) {
+    add(inflow.flow);
+    add(inflow.enthalpy);
+  }
+  for (const Piecewise& area : areas) add(area);
+  for (const Piecewise& volume : volumes) add(volume);
+  return all;
+}
+
+}  // namespace enclosure

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene, ready for enclosing: gas constants, functions of time, and where the law changes.
+#pragma once
+
+#include "enclosure/scene.hpp"
+#include "time_function.hpp"
+
+namespace enclosure {
+
+inline constexpr double joint_temperature = 1000.0;  // [K]
+
+/// Where the right-hand side changes its formula: p - p_a = offset; p r* = p_a (G.5); T = 1000 K; or u =
+/// u(1000 K) of the lower range. The upper range holds above both of the last two: of two temperatures the
+/// lower is taken.
+struct Surface {
+  enum class Kind { level, sonic, joint, joint_energy } kind;
+  Ball offset{};  // [Pa] level
+};
+
+/// Side of each surface: true above.
+using Regime = std::vector<bool>;
+
+/// The gas outside.
+struct AmbientGas {
+  Ball gas_constant, gamma, enthalpy;  // [J/(kg K)], [-], [J/kg] at its temperature
+};
+
+/// Inflow of one inflator over time.
+struct InflowFunctions {
+  Piecewise flow, enthalpy;  // [kg/s], [J/kg]
+};
+
+/// Constant data of a tank.
+struct Tank {
+  /// Throws std::invalid_argument for a value out of range, Refusal for what has no enclosure.
+  explicit Tank(const Scene& scene);
+
+  std::size_t species() const { return scene.species.size(); }
+  /// Powers of T of the enthalpy or the internal energy [J/kg] of a mixture, (G.2) and (G.4); of T = 0 first.
+  Balls enthalpy(const std::vector<double>& fractions, bool high) const;
+  Balls internal_energy(const std::vector<double>& fractions, bool high) const;
+  /// Times at which a function of time changes its formula.
+  Balls breaks() const;
+
+  Scene scene;
+  Balls gas_constants;  // [J/(kg K)] per species
+  bool constant_cp = true, has_backflow = false;
+  double minimum_temperature = 0.0, maximum_temperature = 0.0;  // [K]
+  std::vector<InflowFunctions> inflows;
+  std::vector<Piecewise> areas;    // [m2] per hole, times Cd
+  std::vector<Piecewise> volumes;  // one; none of a wave
+  std::vector<Surface> surfaces;   // levels rise
+  AmbientGas ambient;
+};
+
+}  // namespace enclosure

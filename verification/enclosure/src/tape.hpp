@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Right-hand sides as lists of operations, and their Taylor coefficients.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "ball.hpp"
+
+namespace enclosure {
+
+/// A span of time between two exact times [s]; both may be the same.
+struct Span {
+  Ball begin, end;
+  Ball ball() const { return hull(begin, end); }
+};
+
+/// What is asked for over a span: Taylor coefficients, within one formula of the law; or coefficient 0 alone,
+/// across switches of the law and breaks of functions of time: its range, or with the mean of each inflow in
+/// place of its range. Rates are linear in the inflows, which are not negative, so that step times rate then
+/// still encloses the integral of the rate (mean value theorem of integrals).
+enum class Mode { series, across, across_mean };
+
+/// Writes coefficients 0 to n-1 of a function of time, which enclose those at every time of the span.
+using TimeSeries = std::function<void(const Span& span, Mode mode, arb_ptr coefficients, slong n)>;
+
+enum class Op {
+  constant,
+  time,
+  state,
+  add,
+  subtract,
+  multiply,
+  divide,
+  root,
+  exponential,
+  logarithm,
+  within
+};
+
+/// One operation.
+struct Node {
+  Op op;
+  int a = -1, b = -1;  // operands; of a state its number
+  bool moves = false;  // depends on the state
+  Ball low{}, high{};  // constant: its value (low); within: the bounds, if any
+  bool has_low = false, has_high = false;
+  TimeSeries series{};  // time
+};
+
+class Tape;
+
+/// A value on a tape. Arithmetic adds to the tape.
+struct Term {
+  Tape* tape;
+  int id;
+};
+
+/// Operations in the order in which they are computed.
+class Tape {
+ public:
+  Term constant(const Ball& value);
+  Term time(TimeSeries series);
+  Term state(int number);
+  Term add(Op op, int a, int b = -1);
+  /// The same value. Where a series is asked across a switch, only the part of it that lies within bounds.
+  Term within(Term a, const Ball* low, const Ball* high);
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+ private:
+  std::vector<Node> nodes_;
+};
+
+inline Term operator+(Term a, Term b) {
+  return a.tape->add(Op::add, a.id, b.id);
+}
+inline Term operator-(Term a, Term b) {
+  return a.tape->add(Op::subtract, a.id, b.id);
+}
+inline Term operator*(Term a, Term b) {
+  return a.tape->add(Op::multiply, a.id, b.id);
+}
+inline Term operator/(Term a, Term b) {
+  return a.tape->add(Op::divide, a.id, b.id);
+}
+inline Term operator+(Term a, const Ball& b) {
+  return a + a.tape->constant(b);
+}
+inline Term operator-(Term a, const Ball& b) {
+  return a - a.tape->constant(b);
+}
+inline Term operator*(Term a, const Ball& b) {
+  return a * a.tape->constant(b);
+}
+inline Term operator/(Term a, const Ball& b) {
+  return a / a.tape->constant(b);
+}
+inline Term operator-(const Ball& a, Term b) {
+  return b.tape->constant(a) - b;
+}
+inline Term operator/(const Ball& a, Term b) {
+  return b.tape->constant(a) / b;
+}
+inline Term sqrt(Term a) {
+  return a.tape->add(Op::root, a.id);
+}
+inline Term exp(Term a) {
+  return a.tape->add(Op::exponential, a.id);
+}
+inline Term log(Term a) {
+  return a.tape->add(Op::logarithm, a.id);
+}
+
+/// Taylor coefficients in time of every value of a tape along the solution of x_i' = rate_i by the
+/// recurrences of R. E. Moore, "Interval Analysis", 1966, ch. 11 (A. Griewank and A. Walther, "Evaluating
+/// Derivatives", 2nd ed. 2008, table 13.1). Coefficient k encloses y^(k)(t)/k! of every solution y that is in
+/// the balls x at a time t of the span. With partials, those by x_j too, which are the recurrences
+/// differentiated.
+class Series {
+ public:
+  /// Coefficients 0 to `order` of the state, with partials by the state or without.
+  Series(const Tape& tape, std::vector<int> rates, slong order, bool partials);
+  Series(const Series&) = delete;
+  Series& operator=(const Series&) = delete;
+  ~Series();
+
+  /// Computes all; across switches only if made without partials and of order 0.
+  void run(const Balls& x, const Span& span, Mode mode = Mode::series);
+
+  Ball value(int id, slong k = 0) const { return read(row(id, 0) + k); }
+  Ball partial(int id, int j, slong k) const { return read(row(id, j + 1) + k); }
+  /// Id of unknown i.
+  int state(std::size_t i) const { return states_[i]; }
+
+ private:
+  static Ball read(arb_srcptr x) {
+    Ball ball;
+    arb_set(ball.get(), x);
+    return ball;
+  }
+  arb_ptr row(int id, int j) const { return data_ + (static_cast<slong>(id) * rows_ + j) * (order_ + 1); }
+  void value_coefficient(int id, slong k);
+  void partial_coefficient(int id, int j, slong k);
+
+  const Tape& tape_;
+  const std::vector<int> rates_;
+  const slong order_;
+  const int rows_;  // of a value: itself and its partials
+  Mode mode_ = Mode::series;
+  std::vector<int> states_;
+  arb_ptr data_;
+  std::vector<arb_ptr> weighted_;  // j times the coefficient j that exp and log need
+};
+
+}  // namespace enclosure

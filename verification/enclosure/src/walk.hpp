@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tube of a tank, step by step.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "enclosure/enclose.hpp"
+#include "law.hpp"
+#include "moving_set.hpp"
+
+namespace enclosure {
+
+/// What holds over a span that may reach over switches.
+struct Crossing {
+  Balls end;              // unknowns at its end, as a box
+  Balls step;             // what was added to the unknowns and stream totals
+  double width = 0.0;     // [-] largest width added
+  bool decided = false;   // every surface has a side at the end
+  bool at_joint = false;  // the temperature comes from the energy
+};
+
+/// Moves a set of states through time. The unknowns are those of Law, then the total of each stream.
+class Walk {
+ public:
+  /// Starts at time `start` in the box `unknowns`, totals included; `tolerance` is the width that a step may
+  /// add.
+  Walk(const Tank& tank, const Ball& start, const Balls& unknowns, double tolerance);
+  Walk(const Walk&) = delete;
+  Walk& operator=(const Walk&) = delete;
+  ~Walk();
+
+  /// Takes one step, at most to the exact time `end`. No function of time changes its formula before `end`.
+  void step(const Ball& end);
+  /// Steps to `end` at once, across changes of functions of time at uncertain times.
+  void cross_to(const Ball& end);
+
+  const Ball& time() const { return time_; }
+  Ball temperature() const { return set_.box()[1]; }
+  /// Pressure, temperature, volume, mass, mass fractions of all species, totals of the streams.
+  Balls values();
+  long steps = 0, crossings = 0;
+
+ private:
+  struct Work;
+  using Sides = std::vector<int>;  // 1 above, -1 below, 0 undecided
+
+  Work& work(const Regime& regime);
+  std::vector<double> scales(const Balls& box) const;
+  Sides sides(const Balls& box, const Span& span);
+  std::vector<Regime> regimes(const Sides& sides) const;
+  static Regime regime(const Sides& sides);
+  Balls core(const Balls& x) const { return {x.begin(), x.begin() + static_cast<long>(unknowns_)}; }
+
+  bool taylor(const Regime& regime, const Ball& end);
+  bool try_length(Work& work, const Regime& regime, Ball& length);
+  std::optional<Ball> root(Work& work, std::size_t surface, const Ball& length) const;
+  std::optional<Ball> first_root(Work& work, const Ball& length, Ball& margin) const;
+  Ball first_length(const Work& work, const Ball& end) const;
+
+  std::optional<Crossing> crossing(const Ball& end);
+  Balls rates_over(const Balls& box, const Span& span, Mode mode, Sides& seen);
+  Ball temperature_of(const Balls& box, const Ball& energy) const;
+  bool cross(const Ball& first, const Ball& end);
+  bool is_fed(const Ball& end) const;
+  bool rest(const Ball& end);
+  void apply(const Crossing& crossing, const Ball& end);
+
+  const Tank& tank_;
+  const std::size_t unknowns_, streams_;
+  const double tolerance_;
+  Ball time_;
+  MovingSet set_;
+  std::map<Regime, std::unique_ptr<Work>> works_;
+  Ball approach_;     // [s] > 0: the set is this close before a switch
+  Ball last_length_;  // [s] of the last step
+  int undecided_ = 0;
+};
+
+}  // namespace enclosure
