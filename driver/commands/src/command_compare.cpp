@@ -10,6 +10,7 @@
 #include "base/progress.hpp"
 #include "commands/command.hpp"
 #include "compare/compare.hpp"
+#include "compare_enclosure.hpp"
 #include "input_files.hpp"
 #include "results/results.hpp"
 
@@ -109,6 +110,7 @@ int exit_code(Verdict verdict) {
 }
 
 int compare(const CompareArguments& a) {
+  if (a.enclosure) return compare_enclosure(a, tolerance_of(a.tolerance));
   refuse_same_file("--rows", a.rows, {a.mine, a.reference, a.map});
   const History reference = read_history(a.reference);
   const auto names = names_of(a.columns);

@@ -48,6 +48,7 @@ struct Arguments {
   CostArguments cost;
   MeshArguments mesh;
   ExactArguments exact;
+  EncloseArguments enclose;
   IdentifyArguments identify;
   CompareArguments compare;
   ReportArguments report;
@@ -133,6 +134,18 @@ void add_others(CLI::App& app, Arguments& all) {
       ->check(CLI::IsMember({"csv", "json", "markdown"}));
 }
 
+void add_enclose(CLI::App& app, EncloseArguments& a) {
+  auto* c = app.add_subcommand("enclose", "proved bounds of a tank, as CSV");
+  add_case(*c, a.scene);
+  c->add_option("--times", a.times, "times [s], first:last:step; eleven from 0 to the end by default")
+      ->check(not_empty("first:last:step"));
+  c->add_option("--width", a.width, "of the bounds, as a share of the value; default: 1e-12")
+      ->check(within(1e-25, 0.1, "1e-25 to 0.1"));
+  c->add_option("--longest", a.longest, "seconds of computing, then exit code 3; default: 600")
+      ->check(positive);
+  c->add_flag("--literal", a.literal, "the laws without a laminar range near ambient pressure");
+}
+
 void add_compare(CLI::App& app, CompareArguments& a) {
   auto* c = app.add_subcommand(
       "compare", "difference of two histories, or means of many runs, against the reference's error band");
@@ -140,6 +153,7 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("REFERENCE", a.reference,
                 "history (CSV) with a column <name>_band for each band, or ensemble.csv")
       ->required();
+  c->add_flag("--enclosure", a.enclosure, "REFERENCE has proved bounds, printed by `gasjet enclose`");
   c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)")->check(named);
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
       ->allow_extra_args(false);
@@ -218,6 +232,7 @@ int dispatch(const CLI::App& app, const Arguments& all, const MakeCrew& crew) {
   if (app.got_subcommand("report")) return report(all.report);
   if (app.got_subcommand("study")) return dispatch_study(*app.get_subcommand("study"), all.study, crew);
   if (app.got_subcommand("exact")) return exact(all.exact);
+  if (app.got_subcommand("enclose")) return enclose(all.enclose);
   if (app.got_subcommand("export")) return export_deck(all.export_deck);
   if (app.got_subcommand("import")) return import_deck(all.import_deck);
   write_manual(app, all.manual);
@@ -246,6 +261,7 @@ int run_command_line(int argc, char** argv, const MakeCrew& crew) {
   add_identify(app, all.identify);
   add_report(app, all.report);
   add_study(app, all.study);
+  add_enclose(app, all.enclose);
   add_compare(app, all.compare);
   add_export(app, all.export_deck);
   add_import(app, all.import_deck);

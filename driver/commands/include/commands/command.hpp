@@ -135,6 +135,15 @@ struct ExactArguments {
 };
 int exact(const ExactArguments& arguments);
 
+struct EncloseArguments {
+  CaseArguments scene;
+  std::string times;     // first:last:step [s]; empty: eleven times from 0 to the end
+  double width = 1e-12;  // [-] of the bounds
+  double longest = 600;  // [s] of computing
+  bool literal = false;  // the laws without the laminar range (G.22)
+};
+int enclose(const EncloseArguments& arguments);
+
 struct CompareArguments {
   std::filesystem::path mine, reference;
   std::filesystem::path map;           // map of the columns of mine, or empty
@@ -142,6 +151,7 @@ struct CompareArguments {
   std::vector<std::string> tolerance;  // tolerance of mine: SHARE of the reference's largest magnitude, or
                                        // COLUMN=SHARE
   std::filesystem::path rows;          // CSV of what was compared, or empty
+  bool enclosure = false;              // the reference has proved bounds, of `gasjet enclose`
   std::string format = "text";         // or "json"
 };
 int compare(const CompareArguments& arguments);

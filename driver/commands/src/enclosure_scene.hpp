@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// A case's tank as plain data of the enclosure.
+#pragma once
+
+#include "engine/scene.hpp"
+
+namespace enclosure {
+struct Scene;
+}
+
+namespace driver::commands {
+
+/// Throws CaseError, with the key, for a scene or a part of it that the enclosure does not know.
+enclosure::Scene enclosure_scene(const Scene& scene);
+
+}  // namespace driver::commands
