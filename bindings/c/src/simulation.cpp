@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "arrays.hpp"
+#include "base/checksum.hpp"
 #include "engine/saved_state.hpp"
 #include "forecast/jet_peak.hpp"
 #include "results/load_scene.hpp"
@@ -22,6 +23,8 @@ std::shared_ptr<const driver::Scene> scene_of(driver::CaseDocument& document) {
   driver::add_jet_warnings(scene);
   driver::add_skin_warning(scene);
   scene.driven = true;
+  for (const driver::Setting& setting : document.settings())
+    scene.digest = driver::checksum(setting.path + "=" + setting.value + "\n", scene.digest);
   return std::make_shared<const driver::Scene>(std::move(scene));
 }
 

@@ -89,6 +89,7 @@ int gasjet_sim_jet(gasjet_handle sim, int64_t jet, const double** overpressure, 
     needed(lit, "lit");
     needed(candidate_count, "candidate_count");
     const auto& jets = use->state().jets;
+    if (jets.empty()) refuse("jet", "is " + std::to_string(jet) + ", but the scene has none");
     if (jet < 0 || jet >= static_cast<int64_t>(jets.size()))
       refuse("jet", "is " + std::to_string(jet) + ", allowed: 0 to " + std::to_string(jets.size()) + " - 1");
     use->simulation.evaluate();

@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import json
+import warnings
 from typing import Any, Callable, Dict, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _gasjet
 from .arrays import Vector, as_numbers
-from .errors import Error, InputError
+from .errors import Error, GasjetWarning, InputError
 from .runs import Path, Run, case_arguments, in_words
 
 
 class Simulation:
     """A case that you step, read and change between steps; without changes it has the bits of run().
 
-    Arguments as in run(). With `out`, the command's files are written while it goes on; finish() completes them.
+    Arguments and the case's warnings are as in run(). With `out`, the command's files are written while it goes on, with the energies'
+    term driving_work_J, and looks whether the skin passes through itself; finish() completes them.
 
     A step has two halves. The first finds gas, forces and the length of the step at the level where the simulation is; the second moves
     it. What you read of forces does the first half. Arrays are views of shape (n, 3) that change as the simulation steps; forces in them
-    are those of the last evaluate(). What you set stays until you set it again; what forces feel (set_ambient, set_inflow, set_outlet)
+    are those of the last evaluate(). What you set stays until you set it again; gas outside, inflow and outlets
     act from this level on, or from the next one if this is evaluated. Computations that leave their domain raise DomainError.
     """
 
@@ -34,6 +36,8 @@ class Simulation:
         except InputError as error:
             raise InputError(in_words(str(error))) from None
         self._own_force: Optional[np.ndarray] = None
+        for warning in self.results.warnings:
+            warnings.warn(warning, GasjetWarning, stacklevel=2)
 
     def __repr__(self) -> str:
         try:
@@ -89,7 +93,7 @@ class Simulation:
         return _gasjet.sim_evaluate(self._handle)[0]
 
     def step(self, count: int = 1) -> None:
-        """Steps; fewer at the end of the scene."""
+        """Steps; fewer at the end of the scene. Ctrl-C ends it after some."""
         _gasjet.sim_step(self._handle, count)
 
     def advance(self, time: float, progress: Optional[Callable[[float, float], Any]] = None) -> None:

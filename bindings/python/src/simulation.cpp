@@ -48,9 +48,19 @@ void restore(const Handle& sim, const py::object& given) {
 void finish(const Handle& sim) {
   unlocked([&] { return gasjet_sim_finish(sim.value); });
 }
+/// Many steps in parts, with signals looked at in between.
 void step(const Handle& sim, int64_t count) {
-  if (count == 1) return check(gasjet_sim_step(sim.value, 1));  // as short as giving up the lock
-  unlocked([&] { return gasjet_sim_step(sim.value, count); });
+  constexpr int64_t part = 100;
+  if (count <= 1) return check(gasjet_sim_step(sim.value, count));  // as short as giving up the lock
+  for (int64_t done = 0; done < count; done += part) {
+    double time = 0.0;
+    int64_t steps = 0;
+    int ended = 0;
+    if (done > 0) check(gasjet_sim_time(sim.value, &time, &steps, &ended));
+    if (ended != 0) return;
+    unlocked([&] { return gasjet_sim_step(sim.value, std::min(part, count - done)); });
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
 }
 
 /// Steps with signals and the user's function looked at in between.

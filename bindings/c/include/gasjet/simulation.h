@@ -51,7 +51,8 @@ GASJET_API int gasjet_sim_evaluate(gasjet_handle sim, double* step, double* limi
 GASJET_API int gasjet_sim_step(gasjet_handle sim, int64_t count);
 
 /* Steps until the level is at or past `time` [s] or at the end. exactly: not 0 to shorten steps so that
- * `time` is met. progress as in gasjet_run, called before each step. */
+ * `time` is met. progress is called some ten times a second, as in gasjet_run; a result other than 0 stops.
+ * Without it the call cannot be stopped. */
 GASJET_API int gasjet_sim_advance(gasjet_handle sim, double time, int exactly,
                                   gasjet_progress GASJET_OR_NULL progress, void* GASJET_OR_NULL user);
 
@@ -121,7 +122,8 @@ typedef struct gasjet_sim_impact {
 GASJET_API int gasjet_sim_read_impact(gasjet_handle sim, gasjet_sim_impact* impact);
 
 /* Value of a column, or of a term of the energy balance, at the last level that was recorded. drift: largest
- * drift of the energy so far, as a share; it does not count what the caller supplies. */
+ * drift of the energy so far over the largest energy; what the caller supplies is in the balance, so it is no
+ * drift. */
 GASJET_API int gasjet_sim_value(gasjet_handle sim, int table, const char* name, double* value);
 GASJET_API int gasjet_sim_drift(gasjet_handle sim, double* drift);
 

@@ -26,8 +26,9 @@ void set_inflow(Simulation& simulation, std::size_t inflator, double mass_flow, 
 /// smallest rotation that turns the axis. Whether the outlet is inside the bag is not tested.
 void set_outlet(Simulation& simulation, std::size_t jet, const Eigen::Vector3d& centre,
                 const Eigen::Vector3d& axis);
-/// Steps meet the multiples of an interval [s] > 0 from now on, at which the caller exchanges values, or of
-/// none if it is 0. Better than advance_exactly(), as steps between two of them are equal.
+/// Steps meet the multiples of an interval [s], a millionth of the end time or more, from now on, at which
+/// the caller exchanges values, or of none if it is 0. Better than advance_exactly(), as steps between two of
+/// them are equal.
 void meet_every(Simulation& simulation, double interval);
 /// Gravity [m/s2], or its sum with the opposite of a frame's acceleration. The case must not have a constant
 /// one.

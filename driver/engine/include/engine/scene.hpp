@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -139,7 +140,8 @@ struct Scene {
   gas::Ambient ambient{};
   TimePart time;
   OutputPart output;
-  bool driven = false;  // a program sets forces, an impactor or gravity (controls.hpp)
+  std::uint64_t digest = 0;  // checksum of the settings, if a program that saves states gives it
+  bool driven = false;       // a program sets forces, an impactor or gravity (controls.hpp)
   std::optional<GasPart> gas;
   std::optional<BagPart> bag;
   std::optional<TargetPart> target;

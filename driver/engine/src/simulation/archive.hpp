@@ -12,15 +12,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/checksum.hpp"
 #include "membrane/vectors.hpp"
 
 namespace driver {
-
-/// Checksum of bytes: the 64-bit FNV-1a hash.
-inline std::uint64_t checksum(std::string_view bytes, std::uint64_t start = 14695981039346656037U) {
-  for (const char byte : bytes) start = (start ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-  return start;
-}
 
 /// Writes values, or reads what was written.
 class Archive {
@@ -43,6 +38,13 @@ class Archive {
     static_assert(std::is_standard_layout_v<T>);
     values.resize(size_of(values.size(), sizeof(T)));
     bytes(values.data(), values.size() * sizeof(T));
+  }
+  /// A list whose length the case gives.
+  template <class T>
+  void whole(std::vector<T>& values) {
+    const std::size_t count = values.size();
+    list(values);
+    require(values.size() == count);
   }
   void matrix(Eigen::Matrix3Xd& values) {
     values.resize(

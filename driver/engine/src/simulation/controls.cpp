@@ -62,8 +62,8 @@ void settle_ambient_work(const Scene& scene, State& state, double pressure) {
 void require_rotation(const Eigen::Matrix3d& axes) {
   require_finite(axes, "axes");
   const double error = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(error < 1e-9 && axes.determinant() > 0.0))
-    refuse(fmt::format("axes: are not a rotation, off by {:.3g}, allowed: 1e-9", error));
+  if (!(error < 1e-9)) refuse(fmt::format("axes: are not a rotation, off by {:.3g}, allowed: 1e-9", error));
+  if (!(axes.determinant() > 0.0)) refuse("axes: are a mirror image, allowed: a rotation");
 }
 
 void require_no_turn(const Scene& scene, const Vector3d& angular_velocity) {
@@ -185,7 +185,9 @@ void set_outlet(Simulation& simulation, std::size_t jet, const Vector3d& centre,
 }
 
 void meet_every(Simulation& simulation, double interval) {
-  require(interval >= 0.0 && std::isfinite(interval), "interval", interval, "0 or more");
+  const double least = 1e-6 * simulation.scene().time.end;
+  require(interval == 0.0 || (interval >= least && std::isfinite(interval)), "interval", interval,
+          "0, or a millionth of the end time or more");
   simulation.change_level([interval](Scene&, State& state) { state.step.meet_every = interval; });
 }
 

@@ -15,7 +15,7 @@ namespace driver {
 namespace {
 
 void add(Archive& a, Streams& s) {
-  a.list(s.inflows), a.list(s.outflows), a.list(s.backflows), a.list(s.outflow_ambient);
+  a.whole(s.inflows), a.whole(s.outflows), a.whole(s.backflows), a.whole(s.outflow_ambient);
   a.plain(s.ambient);
 }
 
@@ -46,13 +46,13 @@ void add(Archive& a, Peaks& s) {
 
 void add(Archive& a, AtStart& s) {
   a.plain(s.gas_mass, s.volume, s.ambient_work, s.energy, s.kinetic, s.smallest_energy);
-  a.list(s.masses), a.list(s.ambient_energy);
+  a.whole(s.masses), a.whole(s.ambient_energy);
 }
 
 void add(Archive& a, gas::ControlVolumeState& s) {
-  a.list(s.masses);
+  a.whole(s.masses);
   a.plain(s.internal_energy, s.temperature);
-  a.list(s.triggers);
+  a.whole(s.triggers);
 }
 
 void add(Archive& a, membrane::BagState& s) {
@@ -87,7 +87,7 @@ void add(Archive& a, State& s) {
   a.plain(s.time, s.steps, s.stage, s.step, s.flows, s.gas_point, s.jet_work, s.contact, s.stage_ticks);
   add(a, s.level), add(a, s.peaks), add(a, s.start), add(a, s.gas), add(a, s.streams);
   a.plain(s.gas_events.last);
-  a.list(s.gas_events.opened);
+  a.whole(s.gas_events.opened);
   if (s.bag) add(a, *s.bag);
   if (s.pendulum) a.plain(*s.pendulum);
   if (s.body) a.plain(*s.body);
@@ -99,7 +99,7 @@ std::string_view bytes_of(const double* values, std::size_t count) {
   return {reinterpret_cast<const char*>(values), count * sizeof(double)};
 }
 
-// What a state must agree on with its case: where skin and impactor start, and the gas.
+// What a state must agree on with its case: its settings, where skin and impactor start, and the gas.
 std::string key_of(const Scene& scene, const State& start) {
   std::uint64_t sum = checksum(scene.name);
   if (start.bag)
