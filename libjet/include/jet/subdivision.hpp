@@ -39,13 +39,13 @@ class Subdivision {
   /// std::invalid_argument for a wrong shape.
   void interpolate(const Points& values, Eigen::Matrix3Xd& result) const;
 
-  /// Area vectors of the pieces [m2], 3 x M n^2: the elements' area vectors, 3 x M, divided by n^2. Throws as
-  /// interpolate.
+  /// Area vectors of the pieces [m2], 3 x K n^2: the area vectors, 3 x K, of all or some elements divided by
+  /// n^2. Throws as interpolate.
   void share_areas(const Points& area_vectors, Eigen::Matrix3Xd& result) const;
 
-  /// Field of the elements from the field of the pieces. The overpressure is averaged; an element is a
-  /// candidate if one of its pieces is. The restitution is that of the pieces. Throws std::invalid_argument
-  /// if a state has another number of elements or pieces.
+  /// Field of all or some elements from the field of their pieces. The overpressure is averaged; an element
+  /// is a candidate if one of its pieces is. The restitution is that of the pieces. Throws
+  /// std::invalid_argument unless there are n^2 pieces for each element.
   void average(const FieldState& pieces, FieldState& elements) const;
 
  private:

@@ -88,6 +88,11 @@ class VisibilityQuery {
   VisibilityQuery& operator=(VisibilityQuery&& other) noexcept;  // likewise
   ~VisibilityQuery();                                            // frees its workspace
 
+  /// Answers from now on as a query on the mesh without these elements, which must not be candidates; an
+  /// empty list brings all back. It drops data of earlier queries. Nodes of elements left out are still read
+  /// and checked. Throws std::invalid_argument for an element index out of range.
+  void leave_out(std::span<const int> elements);
+
   /// Sets lit[k] to 1 if candidates[k] is lit, else to 0. `nodes` [m] is 3 x node_count.
   ///
   /// `displacement_bound` [m] grows between two queries by at least the motion of every node. The fast route
@@ -109,7 +114,8 @@ class VisibilityQuery {
                                                   std::span<const int> candidates);
 
   int element_count() const;  // M, the number of elements
-  bool closed() const;        // True if each directed edge occurs as often as its opposite.
+  /// True if each directed edge occurs as often as its opposite, and no element is left out.
+  bool closed() const;
 
  private:
   struct Impl;

@@ -128,17 +128,15 @@ void Subdivision::interpolate(const Points& values, Eigen::Matrix3Xd& result) co
 }
 
 void Subdivision::share_areas(const Points& area_vectors, Eigen::Matrix3Xd& result) const {
-  require("area vectors", area_vectors.cols() * pieces_, triangles_.cols());
-  require("result", result.cols(), triangles_.cols());
+  require("result", result.cols(), area_vectors.cols() * pieces_);
   const double share = 1.0 / pieces_;
   for (Eigen::Index e = 0; e < area_vectors.cols(); ++e)
     for (int k = 0; k < pieces_; ++k) result.col(e * pieces_ + k) = share * area_vectors.col(e);
 }
 
 void Subdivision::average(const FieldState& pieces, FieldState& elements) const {
-  require("field of the elements", static_cast<Eigen::Index>(elements.overpressure.size()) * pieces_,
-          triangles_.cols());
-  require("field of the pieces", static_cast<Eigen::Index>(pieces.overpressure.size()), triangles_.cols());
+  require("field of the pieces", static_cast<Eigen::Index>(pieces.overpressure.size()),
+          static_cast<Eigen::Index>(elements.overpressure.size()) * pieces_);
   for (const int e : elements.candidates) elements.overpressure[static_cast<std::size_t>(e)] = 0.0;
   elements.candidates.clear();
   for (const int piece : pieces.candidates) {  // ascending, so an element's pieces follow each other

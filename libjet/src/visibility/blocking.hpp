@@ -86,10 +86,11 @@ bool blocks(Kernel& kernel, const Ray& ray, const Surface& surface, int element)
   return near * far < 0 && passage(kernel, ray, surface, element).touches();
 }
 
-/// True if the source, not moved, lies on a closed element of non-zero area.
+/// True if the source, not moved, lies on a closed element of non-zero area that is not absent.
 template <class Kernel>
 bool source_on(Kernel& kernel, const Ray& ray, const Surface& surface, int element) {
-  return kernel.on_triangle(ray.source, surface.corner(element, 0), surface.corner(element, 1),
+  return !surface.absent(element) &&
+         kernel.on_triangle(ray.source, surface.corner(element, 0), surface.corner(element, 1),
                             surface.corner(element, 2));
 }
 

@@ -8,7 +8,7 @@
 
 namespace jet {
 
-enum class Role : std::uint8_t { fabric, null_panel, attachment };
+enum class Role : std::uint8_t { fabric, null_panel, attachment, absent };
 
 struct Surface {
   const double* nodes = nullptr;                  // [m] node i at nodes + i * stride
@@ -25,6 +25,7 @@ struct Surface {
   }
   int name(int i) const { return names == nullptr ? i : names[i]; }
   bool never_blocks(int element) const { return roles[element] != Role::fabric; }
+  bool absent(int element) const { return roles[element] == Role::absent; }
 };
 
 }  // namespace jet

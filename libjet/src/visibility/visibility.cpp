@@ -71,9 +71,11 @@ VisibilityCounters& VisibilityCounters::operator+=(const VisibilityCounters& oth
 
 struct VisibilityQuery::Impl {
   int node_count;  // nodes of the caller
-  bool closed;
+  bool whole_is_closed;
   std::vector<std::array<int, 3>> triangles;  // they index `used` if there are unused nodes
-  std::vector<Role> roles;
+  std::vector<Role> given_roles;
+  std::vector<Role> roles;  // of the elements that are not left out
+  bool closed;
   std::vector<int> used;  // nodes that elements use; empty if all are used
   Eigen::Matrix3Xd copy;  // coordinates of the nodes in `used`
   std::shared_ptr<const OrderedMesh> mesh;
@@ -81,7 +83,10 @@ struct VisibilityQuery::Impl {
 
   int count() const { return static_cast<int>(triangles.size()); }
   int used_count() const { return used.empty() ? node_count : static_cast<int>(used.size()); }
-  void prepare() { fast.prepare(mesh, static_cast<std::size_t>(used_count()), closed); }
+  void prepare() {
+    fast = {};
+    fast.prepare(mesh, static_cast<std::size_t>(used_count()), closed);
+  }
 
   /// Renumbers the triangles if some nodes belong to no element, so that these are never read.
   void leave_out_unused() {
@@ -106,7 +111,7 @@ struct VisibilityQuery::Impl {
     return all;
   }
 
-  void assign(const std::vector<int>& elements, const char* name, Role role) {
+  void assign(std::span<const int> elements, const char* name, Role role) {
     for (const int e : elements) {
       require_index(name, e, count());
       roles[static_cast<std::size_t>(e)] = role;
@@ -139,15 +144,24 @@ VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, con
   impl_->assign(roles.attachment_elements, "attachment element", Role::attachment);
   impl_->assign(roles.null_elements, "null element", Role::null_panel);
   impl_->leave_out_unused();
-  impl_->closed = is_closed(impl_->triangles);
+  impl_->given_roles = impl_->roles;
+  impl_->closed = impl_->whole_is_closed = is_closed(impl_->triangles);
   impl_->mesh = std::make_shared<const OrderedMesh>(impl_->triangles);
   impl_->prepare();
 }
 
 VisibilityQuery::VisibilityQuery(const VisibilityQuery& other) {
   const Impl& i = *other.impl_;
-  impl_ =
-      std::make_unique<Impl>(Impl{i.node_count, i.closed, i.triangles, i.roles, i.used, i.copy, i.mesh, {}});
+  impl_ = std::make_unique<Impl>(Impl{i.node_count,
+                                      i.whole_is_closed,
+                                      i.triangles,
+                                      i.given_roles,
+                                      i.roles,
+                                      i.closed,
+                                      i.used,
+                                      i.copy,
+                                      i.mesh,
+                                      {}});
   impl_->prepare();
 }
 VisibilityQuery& VisibilityQuery::operator=(const VisibilityQuery& other) {
@@ -156,6 +170,14 @@ VisibilityQuery& VisibilityQuery::operator=(const VisibilityQuery& other) {
 VisibilityQuery::~VisibilityQuery() = default;
 VisibilityQuery::VisibilityQuery(VisibilityQuery&&) noexcept = default;
 VisibilityQuery& VisibilityQuery::operator=(VisibilityQuery&&) noexcept = default;
+
+void VisibilityQuery::leave_out(std::span<const int> elements) {
+  for (const int e : elements) require_index("element left out", e, impl_->count());
+  impl_->roles = impl_->given_roles;
+  impl_->assign(elements, "element left out", Role::absent);
+  impl_->closed = impl_->whole_is_closed && elements.empty();
+  impl_->prepare();
+}
 
 int VisibilityQuery::element_count() const {
   return impl_->count();
