@@ -10,6 +10,7 @@ import sys
 
 KINDS = {
     "double": "real(c_double)",
+    "float": "real(c_float)",
     "int": "integer(c_int)",
     "int32_t": "integer(c_int32_t)",
     "int64_t": "integer(c_int64_t)",

@@ -141,6 +141,15 @@ program bad_calls
     source%centre = here
   end do
   call refused(gasjet_jet_expansion(jet, 1d0, 1d0, 4.1d0), 'restitution')
+  call refused(gasjet_jet_place(jet, here, 0d0 * here), 'axis')
+  call refused(gasjet_jet_subdivide(jet, 0), 'n: ')
+  call refused(gasjet_jet_set_elements(jet, lit, 3_c_int64_t), 'on: ')
+  call refused(gasjet_jet_pressure_of(jet, x, four, velocity=1d0, density=1d0, occlusion=1, displacement_bound=0d0, &
+                                      elements=[4], element_count=1_c_int64_t, overpressure=p, &
+                                      overpressure_count=1_c_int64_t, force=force), 'elements')
+  call refused(gasjet_jet_pressure_float(jet, real(x, c_float), four, velocity=1d0, density=1d0, occlusion=1, &
+                                         displacement_bound=0d0, element_count=none, overpressure=p, &
+                                         overpressure_count=four, force=force, power=value), 'power')
   call good(gasjet_jet_expansion(jet, 1.2d0, 0.9d0, bad(1)))
   call good(gasjet_outlet(GASJET_EXPANDED, 1d-3, 1d0, 300d0, 1039d0, 297d0, 1d5, state))
   if (state%pressure /= 1d5) error stop 'an expanded outlet is not at the pressure of the bag'

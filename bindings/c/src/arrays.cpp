@@ -11,22 +11,6 @@ namespace {
 constexpr int64_t kMost = std::numeric_limits<int>::max() - 4;
 constexpr int64_t kMostApart = int64_t{1} << 40;  // doubles from one row to the next: 8 TiB
 
-struct Stride {
-  int64_t row = 3, component = 1;
-};
-
-Stride stride_of(const int64_t* stride, int64_t count, std::string_view argument) {
-  if (stride == nullptr) return {};
-  const Stride given{stride[0], stride[1]};
-  for (const int64_t apart : {given.row, given.component})
-    if (apart > kMostApart || apart < -kMostApart)
-      refuse(argument, "has the stride " + std::to_string(apart) +
-                           ", allowed: counts of doubles from row to row and from component to component");
-  if (given.component == 0 || (given.row == 0 && count > 1))
-    refuse(argument, "has a stride of 0, allowed: a stride to other values");
-  return given;
-}
-
 Eigen::Matrix3Xd copy_of(const double* data, int count, Stride stride, std::span<const int> only) {
   Eigen::Matrix3Xd copy(3, count);
   for (const int i : only)
@@ -51,6 +35,18 @@ Points::View view_of(const double* data, int count, Stride stride, const Eigen::
 }
 
 }  // namespace
+
+Stride stride_of(const int64_t* stride, int64_t count, std::string_view argument) {
+  if (stride == nullptr) return {};
+  const Stride given{stride[0], stride[1]};
+  for (const int64_t apart : {given.row, given.component})
+    if (apart > kMostApart || apart < -kMostApart)
+      refuse(argument, "has the stride " + std::to_string(apart) +
+                           ", allowed: counts of numbers from row to row and from component to component");
+  if (given.component == 0 || (given.row == 0 && count > 1))
+    refuse(argument, "has a stride of 0, allowed: a stride to other values");
+  return given;
+}
 
 int count_of(int64_t count, std::string_view argument, int64_t least) {
   if (count < least || count > kMost)

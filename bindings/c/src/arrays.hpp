@@ -16,6 +16,14 @@ int count_of(int64_t count, std::string_view argument, int64_t least = 0);
 /// Refuses a count other than `wanted`.
 void require_count(int64_t count, int64_t wanted, std::string_view argument);
 
+/// Distances in an array, counted in its numbers.
+struct Stride {
+  int64_t row = 3;        // from row to row
+  int64_t component = 1;  // from component to component
+};
+/// The stride given, or that of packed rows for NULL. Refuses an impossible one.
+Stride stride_of(const int64_t* stride, int64_t count, std::string_view argument);
+
 /// Rows of three doubles: a view if the components are adjacent, otherwise a copy.
 class Points {
  public:

@@ -88,6 +88,48 @@ GASJET_API int gasjet_jet_pressure(gasjet_handle jet, const double nodes[], int6
                                    double overpressure[], int64_t overpressure_count, double force[3],
                                    gasjet_visibility* GASJET_OR_NULL counters);
 
+/* Moves the outlet of the calls that follow, for example with its module: centre [m], axis into the bag, any
+ * length but 0. long_direction, normal to the axis, is used by a rectangular outlet; NULL turns the last one
+ * by the smallest rotation between the axes. Results have the bits of a jet that was created there.
+ * displacement_bound goes on as before. */
+GASJET_API int gasjet_jet_place(gasjet_handle jet, const double centre[3], const double axis[3],
+                                const double GASJET_OR_NULL long_direction[3]);
+
+/* Switches elements off (on[e] = 0), for example as they erode, and on again. An element that is off takes no
+ * load and hides none: results are those of a jet on the mesh without it. on_count: number of triangles.
+ * Nodes of elements that are off must stay finite, and count in displacement_bound. */
+GASJET_API int gasjet_jet_set_elements(gasjet_handle jet, const uint8_t on[], int64_t on_count);
+
+/* Cuts each element into n^2 pieces, n from 1 (as created) to 64: the overpressure of an element is then the
+ * mean over its pieces (J.8), and gasjet_visibility counts pieces. */
+GASJET_API int gasjet_jet_subdivide(gasjet_handle jet, int n);
+
+/* relative not 0: dp = (1 + e reflected) rho max(V.n - v.n, 0)^2 with the velocity v of the element, the mean
+ * of its nodes. Calls then need velocities. Such a load damps the skin (J.9) and shortens its stable step. */
+GASJET_API int gasjet_jet_relative_to_skin(gasjet_handle jet, int relative);
+
+/* gasjet_jet_pressure for some elements, with the same bits as for all. elements[k], each at most once, has
+ * the overpressure in overpressure[k]; NULL with element_count 0 means all, and an address with 0 none. So
+ * each rank of a decomposition asks for its own elements; it needs the positions of all nodes, as any element
+ * may hide another. force [N] and counters are those of the elements asked for. A call with the elements of
+ * the last one is faster. velocities [m/s]: three for each node, or NULL. power [W]: sum of dp S_e.v_e, the
+ * rate at which the jet works on these elements; needs velocities. */
+GASJET_API int gasjet_jet_pressure_of(
+    gasjet_handle jet, const double nodes[], int64_t node_count, const int64_t GASJET_OR_NULL node_stride[],
+    const double GASJET_OR_NULL velocities[], const int64_t GASJET_OR_NULL velocity_stride[], double velocity,
+    double density, int occlusion, double displacement_bound, const int32_t GASJET_OR_NULL elements[],
+    int64_t element_count, double overpressure[], int64_t overpressure_count, double force[3],
+    double GASJET_OR_NULL* power, gasjet_visibility GASJET_OR_NULL* counters);
+
+/* The same for nodes and velocities in single precision, which it copies: results are those of their values
+ * as doubles. Strides count floats. */
+GASJET_API int gasjet_jet_pressure_float(
+    gasjet_handle jet, const float nodes[], int64_t node_count, const int64_t GASJET_OR_NULL node_stride[],
+    const float GASJET_OR_NULL velocities[], const int64_t GASJET_OR_NULL velocity_stride[], double velocity,
+    double density, int occlusion, double displacement_bound, const int32_t GASJET_OR_NULL elements[],
+    int64_t element_count, double overpressure[], int64_t overpressure_count, double force[3],
+    double GASJET_OR_NULL* power, gasjet_visibility GASJET_OR_NULL* counters);
+
 /* Velocity relative to the outlet, V/V0 [-], at points: three numbers per point. */
 GASJET_API int gasjet_jet_velocity(const gasjet_jet_model* model, const double points[], int64_t point_count,
                                    const int64_t GASJET_OR_NULL point_stride[], double velocity[],
