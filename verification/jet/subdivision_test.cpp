@@ -191,9 +191,9 @@ TEST(subdivision, wrong_meshes_and_sizes_are_refused_by_name) {
   Eigen::Matrix3Xd few(3, 5), nodes(3, good.node_count());
   expect_refused([&] { good.interpolate(few, nodes); }, "values");
   expect_refused([&] { good.interpolate(mesh.points(), few); }, "result");
-  expect_refused([&] { good.share_areas(few, nodes); }, "area vectors");
+  expect_refused([&] { good.share_areas(few, nodes); }, "result");
   jet::FieldState pieces{std::vector<double>(32), {}}, elements{std::vector<double>(7), {}};
-  expect_refused([&] { good.average(pieces, elements); }, "field of the elements");
+  expect_refused([&] { good.average(pieces, elements); }, "field of the pieces");
 }
 
 }  // namespace
