@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(shipped, simulation_of_case,
                                          Shipped{"free_headform", {"scene.end_time=0.02"}},
                                          Shipped{"sled_pulse", {"scene.end_time=0.01"}},
                                          Shipped{"passenger_sharp", {"scene.end_time=0.006"}},
-                                         Shipped{"driver_folded", {"scene.end_time=0.002"}}),
+                                         Shipped{"driver_folded", {"scene.end_time=0.0005"}}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 // Each half of each step by itself, and copies in place of the original.
