@@ -89,6 +89,11 @@ class Misuse(unittest.TestCase):
             other.assign(other)
         with self.assertRaisesRegex(gasjet.InputError, "state: is of"):
             self.simulation.restore(other.save())
+        state = self.simulation.save()
+        for changed in ({"impactor.motion.mass": 6.9}, {"contact.friction": 0.31}, {"vent.0.area": 2.1e-3}):
+            similar = gasjet.Simulation(case("guided_headform"), set={"scene.end_time": 5e-4, **changed})
+            with self.assertRaisesRegex(gasjet.InputError, "state: is of"):
+                similar.restore(state)
 
     def test_at_the_end_steps_are_refused(self):
         self.simulation.advance(1.0)

@@ -110,8 +110,8 @@ std::string key_of(const Scene& scene, const State& start) {
                             start.pendulum ? start.pendulum->motion.angle : 0.0};
   sum = checksum(bytes_of(numbers, 3),
                  checksum(bytes_of(start.gas.masses.data(), start.gas.masses.size()), sum));
-  return fmt::format("gasjet state 1, {} {}, {} {:016x}", build_info::version, build_info::commit, scene.name,
-                     sum);
+  return fmt::format("gasjet state 1, {} {}, {} {:016x} {:016x}", build_info::version, build_info::commit,
+                     scene.name, sum, scene.digest);
 }
 
 // The start of the scene as it was given.
