@@ -7,6 +7,7 @@
 
 #include "claim.hpp"
 #include "engine/controls.hpp"
+#include "engine/impactor.hpp"
 #include "refusal.hpp"
 #include "run_simulation.hpp"
 
@@ -81,6 +82,32 @@ TEST(simulation, a_body_is_taken_over_without_a_jump_of_the_energy) {
   EXPECT_GT(simulation.state().contact.force.norm(), 100.0);
   EXPECT_LT(largest, 0.02);  // [J], of some 150 that the body had
   EXPECT_LT(std::abs(simulation.state().level.kick_residual - kick), 1e-9);
+}
+
+// A sphere of the caller turns against a ball that it presses: its axes alone tell the turn, its speed only
+// how it goes on.
+TEST(simulation, friction_feels_the_turn_of_the_axes) {
+  const auto spun = [](double rate_given) {
+    Simulation simulation = simulation_of(
+        "ball_impact", {"unset pendulum", "impactor.centre=[-0.152,0,0]", "impactor.shape.type=sphere",
+                        "impactor.shape.radius=0.041", "impactor.motion.type=free", "impactor.motion.mass=1",
+                        "impactor.motion.inertia=[1e-3,1e-3,1e-3]", "scene.end_time=0.008"});
+    constexpr double rate = 40.0, speed = 2.0;  // [rad/s] about z, [m/s] along x
+    while (!simulation.ended()) {
+      const double t = simulation.state().time;
+      const Eigen::Matrix3d axes = driver::turned(Eigen::Matrix3d::Identity(), {0.0, 0.0, rate * t});
+      set_impactor(simulation,
+                   {{-0.152 + speed * t, 0.0, 0.0}, axes, {speed, 0.0, 0.0}, {0.0, 0.0, rate_given}});
+      simulation.step();
+    }
+    EXPECT_LT(drift(simulation), 1e-3);
+    return simulation.state().flows;
+  };
+  const driver::Flows with = spun(40.0), without = spun(0.0);
+  EXPECT_GT(with.friction_loss, 0.05);
+  EXPECT_NEAR(without.friction_loss, with.friction_loss,
+              1e-6 * with.friction_loss);  // roundings of the turns
+  EXPECT_NEAR(without.driving_work, with.driving_work, 1e-6 * with.driving_work);
 }
 
 // In a stiff contact that bounces, roundings grow: to 4e-7 in 30 ms.
