@@ -26,13 +26,32 @@ Eigen::Matrix3d corners_from(const Triangles& triangles, const Nodes& nodes, Eig
   return u;
 }
 
-// Half the solid angle of a triangle seen from the origin.
-double half_solid_angle(const Eigen::Matrix3d& u) {
+// A sum of angles, each above -pi and up to pi, as the product of numbers with these arguments and the half
+// turns that it passed. So one arc tangent serves any number of angles.
+class Turn {
+ public:
+  void add(double cosine, double sine) {
+    if (cosine == 0.0 && sine == 0.0) return;  // a corner, or an edge from its line
+    const bool up = sine_ >= 0.0, adds_up = sine >= 0.0, back = cosine_ < 0.0 && cosine < 0.0;
+    const double x = cosine_ * cosine - sine_ * sine, y = cosine_ * sine + sine_ * cosine;
+    if (up == adds_up && (back || up != (y >= 0.0))) turns_ += up ? 1 : -1;
+    const double scale = std::abs(x) + std::abs(y);
+    cosine_ = x / scale;
+    sine_ = y / scale;
+  }
+  double in_turns() const { return turns_ + elementary::atan2(sine_, cosine_) / (2.0 * std::numbers::pi); }
+
+ private:
+  double cosine_ = 1.0, sine_ = 0.0;
+  int turns_ = 0;
+};
+
+// Adds half the solid angle of a triangle seen from the origin.
+void add_half_solid_angle(const Eigen::Matrix3d& u, Turn& turn) {
   const double a = u.col(0).norm(), b = u.col(1).norm(), c = u.col(2).norm();
   const double volume = u.col(0).dot(u.col(1).cross(u.col(2)));
-  const double cosine =
-      a * b * c + u.col(0).dot(u.col(1)) * c + u.col(1).dot(u.col(2)) * a + u.col(2).dot(u.col(0)) * b;
-  return elementary::atan2(volume, cosine);
+  turn.add(a * b * c + u.col(0).dot(u.col(1)) * c + u.col(1).dot(u.col(2)) * a + u.col(2).dot(u.col(0)) * b,
+           volume);
 }
 
 }  // namespace
@@ -40,11 +59,12 @@ double half_solid_angle(const Eigen::Matrix3d& u) {
 double winding_number(const Triangles& triangles, const Nodes& nodes, const Vector3d& point) {
   detail::require_nodes("winding_number: triangles", triangles, nodes.cols());
   detail::require_finite("winding_number: point", point);
-  double sum = 0.0;
+  Turn turn;
   for (Eigen::Index e = 0; e < triangles.cols(); ++e)
-    sum += half_solid_angle(corners_from(triangles, nodes, e, point));
-  if (!std::isfinite(sum)) detail::reject("winding_number: nodes", "not a number", "finite");
-  return sum / (2.0 * std::numbers::pi);
+    add_half_solid_angle(corners_from(triangles, nodes, e, point), turn);
+  const double winding = turn.in_turns();
+  if (!std::isfinite(winding)) detail::reject("winding_number: nodes", "not a number", "finite");
+  return winding;
 }
 
 double distance_to_triangle(const Vector3d& point, const Vector3d& a, const Vector3d& b, const Vector3d& c) {

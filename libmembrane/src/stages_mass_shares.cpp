@@ -103,12 +103,13 @@ void tune_shares_as_sewn(BagModel& m) {
   for (int round = 0; round <= rounds; ++round) {
     if (round > 0)
       for (int n = 0; n < m.node_count; ++n) share_out(m, frequency, n, m.shares.mass);
-    for (int e = 0; e < m.element_count; ++e) {
-      update_frequency(m, m.shares, e);
-      const auto [group, lane] = place_of(m.elements, static_cast<std::size_t>(e));
-      frequency[static_cast<std::size_t>(e)] = m.shares.frequency[group].material[lane];
-    }
+    for (std::size_t e = 0; e < frequency.size(); ++e)
+      frequency[e] =
+          m.stiffness[e].volume == 0.0
+              ? 0.0
+              : material_frequency(m.stiffness[e], m.shares.mass.col(static_cast<Eigen::Index>(e)));
   }
+  for (int e = 0; e < m.element_count; ++e) update_frequency(m, m.shares, e);
   m.fabric_frequency = std::ranges::max(frequency);
 }
 
