@@ -10,7 +10,7 @@
 #include "base/case_reader.hpp"
 #include "base/progress.hpp"
 #include "commands/command.hpp"
-#include "enclosure/enclose.hpp"
+#include "enclosure_module.hpp"
 #include "enclosure_scene.hpp"
 #include "results/load_scene.hpp"
 #include "time_list.hpp"
@@ -65,7 +65,7 @@ int enclose(const EncloseArguments& a) {
   if (a.times.empty())
     for (int i = 0; i <= 10; ++i) request.times.push_back(scene.time.end * i / 10.0);
   try {
-    const enclosure::Tube tube = enclosure::enclose(tank, request);
+    const enclosure::Tube tube = enclose_by_module(tank, request);
     print_csv(a, tube, tank.laminar_share);
     const Widest widest = widest_of(tube);
     if (!(widest.share > a.width)) return exit_done;
