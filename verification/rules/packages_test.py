@@ -26,7 +26,7 @@ def packages(tmp_path_factory):
     """The folder of the .deb files; what they install is in its folder root."""
     scratch, build = tmp_path_factory.mktemp("packages"), pathlib.Path(os.environ["GASJET_BUILD"])
     components = re.search(r'^set\(CPACK_COMPONENTS_ALL "(.*)"\)$', (build / "CPackConfig.cmake").read_text(), re.M)[1].replace(";docs", "")
-    output("cpack", "-G", "DEB", "-B", scratch, "-D", f"CPACK_COMPONENTS_ALL={components}", "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip", cwd=build)
+    output("cpack", "-G", "DEB", "-B", scratch, "-D", f"CPACK_COMPONENTS_ALL={components}", "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip", cwd=build, umask=0o077)
     for package in scratch.glob("*.deb"):
         output("dpkg-deb", "-x", package, scratch / "root")
     return scratch
@@ -44,6 +44,7 @@ def gasjet(prefix):
 
 def test_files(packages, prefix):
     assert os.listdir(packages / "root") == ["usr"]
+    assert {folder.stat().st_mode & 0o777 for folder in (packages / "root/usr").glob("**")} == {0o755}  # whatever the umask
     for package in packages.glob("*.deb"):
         name = output("dpkg-deb", "-f", package, "Package").strip()
         assert (prefix / f"share/doc/{name}/copyright").stat().st_size
