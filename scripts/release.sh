@@ -13,7 +13,7 @@ source scripts/tests/debian_root.sh
 
 refuse() { echo "release.sh: $*" >&2 && exit 2; }
 is_green() { [[ -f build/green && $(<build/green) == "$commit fast long sanitize" ]]; }
-pack() { tar --sort=name --mtime="@$(git log -1 --format=%ct)" --owner=0 --group=0 --numeric-owner -C "$2" -c "$3" | gzip -n >"$out/$1"; } # the same bytes
+pack() { tar --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner -C "$2" -c "$3" | gzip -n >"$out/$1"; } # the same bytes
 
 if (($# > 1)) || [[ ${1:---check} != --check ]]; then refuse "unknown argument '$*'; allowed: --check"; fi
 (($#)) || ((EUID == 0)) || refuse "the empty Debian needs root; run it as root or with sudo"
@@ -31,6 +31,9 @@ if (($#)); then
   exit 0
 fi
 
+umask 022
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct) # the time that packages and site take for now: the same bytes whenever they are made
+export SOURCE_DATE_EPOCH
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 release=$PWD/build/release out=$PWD/build/release.untried # until the packages have worked
@@ -39,11 +42,13 @@ mkdir -p "$out"
 
 # All from the archive, as it is what a stranger builds.
 source=$scratch/gasjet-$version
-scripts/setup_debian12.sh dpkg-dev file
+scripts/setup_debian12.sh dpkg-dev file python3-venv
 git archive --format=tar --prefix="gasjet-$version/" HEAD | gzip -n >"$out/gasjet-$version.tar.gz"
 tar -xzf "$out/gasjet-$version.tar.gz" -C "$scratch"
 (cd "$source" && cmake --preset release -DGASJET_TESTS=OFF -DGASJET_BENCHMARKS=OFF && cmake --build --preset release && scripts/docs_site.sh && cd build && cpack -G DEB)
 mv "$source"/build/packages/*.deb "$out"
+/usr/bin/python3 -m venv --system-site-packages "$scratch/venv"
+"$scratch/venv/bin/pip" wheel --no-build-isolation --no-index --no-deps --config-settings build-dir=build --wheel-dir "$out" "$source"
 cmake --install "$source/build" --component command --prefix "$scratch/prefix" >/dev/null
 cp LICENSE "$scratch/prefix/share/gasjet"
 pack "gasjet-reference-data-$(<cases/reference/VERSION).tar.gz" "$scratch/prefix/share" gasjet

@@ -10,7 +10,7 @@ packages=(
   libgtest-dev libbenchmark-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtbb-dev zlib1g-dev
   gnuplot-nox libjs-three locales # locales: a test with a decimal comma
   libflint-arb-dev # optional: proved bounds, gasjet enclose
-  gfortran python3-dev python3-numpy pybind11-dev pkg-config # the bindings
+  gfortran python3-dev python3-numpy pybind11-dev pkg-config patchelf # the bindings; patchelf: for wheels
   "$@"
 )
 

@@ -74,7 +74,7 @@ if command -v ccache >/dev/null; then
 fi
 
 only_tests=(doxygen clang libclang-rt-14-dev clang-format clang-tidy mkdocs mkdocs-material python3-pymdownx katex chromium python3-jsonschema python3-pytest python3-jinja2 dpkg-dev file libopenmpi-dev python3-scipy python3-matplotlib python3-meshio python3-nbclient python3-ipykernel python3-venv)
-((!long)) || only_tests+=(python3-vtk9 slurm-wlm parallel) # without them tests say that they are skipped
+((!long)) || only_tests+=(python3-vtk9 slurm-wlm parallel debootstrap) # without them tests say that they are skipped
 phase "set-up" scripts/setup_debian12.sh "${only_tests[@]}"
 build release -DGASJET_MPI=ON
 rm -f build/claims/*.tsv build/green

@@ -3,8 +3,9 @@
 
 run() runs a case, Simulation steps it, load() reads a folder of results. check(), cost(), ensemble(), ladder(), study(), identify(),
 mesh(), export(), import_deck() and report() are the program's commands. exact() and catalogue() give the closed forms, compare() judges
-histories, visible() finds hidden elements, check_surface() finds faults of a mesh. Gas, Tank, Jet, Surface, Membrane, Contact,
-SkinContact, Pendulum and RigidBody are parts for your own program, head_injury_criterion() judges its acceleration.
+histories, cases() and references() are the files that come with it, visible() finds hidden elements, check_surface() finds faults of a
+mesh. Gas, Tank, Jet, Surface, Membrane, Contact, SkinContact, Pendulum and RigidBody are parts for your own program,
+head_injury_criterion() judges its acceleration.
 """
 from . import _gasjet
 from .bodies import Gas, Jet, Membrane, Surface, Tank, check_surface, fabric_leak, orifice, outlet, visible
@@ -15,6 +16,7 @@ from .frames import Frame, Frames
 from .meshes import Mesh, mesh
 from .results import Results, Run, load
 from .runs import catalogue, compare, exact, run
+from .shipped import cases, references
 from .simulation import Simulation
 from .tables import Table
 
@@ -22,7 +24,7 @@ __version__ = _gasjet.version()
 __all__ = [
     "BusyError", "Contact", "DomainError", "Error", "Frame", "Frames", "Gas", "GasjetWarning", "InputError", "Jet", "Membrane",
     "Mesh", "Pendulum", "Results", "RigidBody", "Run", "Simulation", "SkinContact", "StoppedError", "Surface", "Table", "Tank",
-    "catalogue", "check", "check_surface", "compare", "cost", "ensemble", "exact", "export", "fabric_leak",
-    "head_injury_criterion", "identify", "import_deck", "ladder", "load", "merge_study", "mesh", "orifice", "outlet", "report",
-    "run", "study", "visible",
+    "cases", "catalogue", "check", "check_surface", "compare", "cost", "ensemble", "exact", "export", "fabric_leak",
+    "head_injury_criterion", "identify", "import_deck", "ladder", "load", "merge_study", "mesh", "orifice", "outlet", "references",
+    "report", "run", "study", "visible",
 ]

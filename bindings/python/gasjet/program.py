@@ -10,6 +10,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import warnings
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
@@ -49,6 +50,14 @@ def _beside() -> Tuple[str, ...]:
     here = os.path.dirname(os.path.abspath(__file__))
     prefix = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(here))))  # of lib/python3/dist-packages/gasjet
     return os.path.join(here, "gasjet"), os.path.join(here, "..", "..", "gasjet"), os.path.join(prefix, "bin", "gasjet")
+
+
+def main() -> None:
+    """Becomes the program beside the package: the command `gasjet` that pip installs."""
+    for path in _beside():
+        if _runs(path):
+            os.execv(path, ["gasjet", *sys.argv[1:]])
+    sys.exit("gasjet: the program is not beside the package; install the package again")
 
 
 def _runs(path: str) -> bool:
