@@ -136,7 +136,7 @@ def gather(prefix, package):
     if len(modules) != 1:
         fail(f"build-dir: has no module for {sys.executable}, allowed: a build with this Python")
     libraries = [file for file in prefix.rglob("libgasjet*.so.*") if file.is_symlink()]  # the names by which modules ask for them
-    for file in [*modules[0].parent.iterdir(), *libraries, prefix / "bin/gasjet"]:
+    for file in [*modules[0].parent.iterdir(), *libraries, *prefix.rglob("gasjet_enclosure-*.so"), prefix / "bin/gasjet"]:
         shutil.copy(file, package)
     found = pip_libraries.take_in(package)
     shutil.copytree(prefix / "share/gasjet/cases", package / "cases")
