@@ -103,6 +103,10 @@ class BadCalls(unittest.TestCase):
         self.each(tank.add_vent, dict(area=1e-3, discharge_coefficient=1.0, opens_at=0.0), area=NUMBERS, discharge_coefficient=NUMBERS,
                   opens_at=NUMBERS)
         self.each(tank.add_fabric, dict(leak_area=1e-6), leak_area=NUMBERS)
+        vents = [None, -1, 2**40, 1.5, "0"]
+        self.each(tank.add_backflow, dict(vent=0, gas=air, temperature=300.0), vent=vents, gas=[None, "N2=1", tank], temperature=NUMBERS)
+        self.each(tank.set_vent, dict(vent=0, area=1e-3), vent=vents, area=NUMBERS)
+        self.each(tank.set_heat_loss, dict(conductance=1.0, outside_temperature=300.0), conductance=NUMBERS, outside_temperature=NUMBERS)
         before = tank.state
         for argument, value in [("time", bad) for bad in NUMBERS] + [("volume", bad) for bad in NUMBERS[1:]]:
             self.refused(argument, lambda: tank.advance(**{"time": 0.1, "volume": 0.1, argument: value}), value)

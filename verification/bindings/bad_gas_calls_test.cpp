@@ -85,7 +85,7 @@ TEST_F(bad_calls, tank) {
        [&](double e) { return gasjet_tank_create(gas.value, 1e5, 300, 1, 1e5, e, &out); });
   refused(gasjet_tank_create(gas.value, 1e5, 1e5, 1, 1e5, 1e-8, &out), "temperature");
   EXPECT_EQ(out, 0);
-  const double time[] = {0.0, 1.0}, flow[] = {1.0, 1.0}, hot[] = {700.0, 700.0}, back[] = {1.0, 0.0},
+  const double time[] = {0.0, 1.0}, flow[] = {1.0, 1.0}, hot[] = {700.0, 700.0}, falling[] = {1.0, 0.0},
                nan[] = {0.0, kNan}, below[] = {1.0, -1.0};
   const auto add = [&](int64_t count, const double* t, const double* f, const double* T, double start = 0.0) {
     return gasjet_tank_add_inflow(tank.value, gas.value, count, t, f, T, start);
@@ -102,13 +102,33 @@ TEST_F(bad_calls, tank) {
   refused(add(2, time, below, hot), "mass_flow");
   refused(add(2, time, flow, nan), "temperature");
   each(kNotFinite, "start_time", [&](double s) { return add(2, time, flow, hot, s); });
-  EXPECT_EQ(add(2, back, flow, hot), GASJET_BAD_INPUT);  // times that fall: the curve says so
+  EXPECT_EQ(add(2, falling, flow, hot), GASJET_BAD_INPUT);  // times that fall: the curve says so
   each_bad_handle("tank", gas.value, [&](gasjet_handle h) { return gasjet_tank_add_vent(h, 1.0, 1.0, 0.0); });
   each(kNotCounted, "discharge_coefficient",
        [&](double c) { return gasjet_tank_add_vent(tank.value, c, 1.0, 0.0); });
   each(kNotCounted, "area", [&](double a) { return gasjet_tank_add_vent(tank.value, 1.0, a, 0.0); });
   each(kNotCounted, "opens_at", [&](double p) { return gasjet_tank_add_vent(tank.value, 1.0, 1.0, p); });
   each(kNotCounted, "leak_area", [&](double a) { return gasjet_tank_add_fabric(tank.value, a); });
+  const auto back = [&](int64_t vent, gasjet_handle h, double t) {
+    return gasjet_tank_add_backflow(tank.value, vent, h, t);
+  };
+  refused(gasjet_tank_set_vent(tank.value, 0, 1.0), "vent: is 0, but the tank has none");
+  ASSERT_OK(gasjet_tank_add_vent(tank.value, 1.0, 0.0, 1e6));
+  each(std::vector<int64_t>{-1, 1, INT64_MAX}, "vent", [&](int64_t v) { return back(v, gas.value, 300.0); });
+  each_bad_handle("gas", tank.value, [&](gasjet_handle h) { return back(0, h, 300.0); });
+  each(kNotPositive, "temperature", [&](double t) { return back(0, gas.value, t); });
+  each(kNotCounted, "area", [&](double a) { return gasjet_tank_set_vent(tank.value, 0, a); });
+  each(kNotCounted, "conductance", [&](double c) { return gasjet_tank_set_heat_loss(tank.value, c, 300.0); });
+  each(kNotPositive, "outside_temperature",
+       [&](double t) { return gasjet_tank_set_heat_loss(tank.value, 1.0, t); });
+  int64_t size = 0;
+  char name[2];
+  double masses[2] = {7.0, 7.0};
+  refused(gasjet_tank_species(tank.value, name, 2, nullptr), "needed");
+  refused(gasjet_tank_species(tank.value, name, 1, &size), "size");
+  refused(gasjet_tank_masses(tank.value, masses, masses, 99), "species_count");
+  refused(gasjet_tank_masses(tank.value, nullptr, masses, 2), "mass");
+  EXPECT_EQ(masses[0], 7.0);
   each(kNotPositive, "time", [&](double t) { return gasjet_tank_advance(tank.value, t, 0.1); });
   each(kNotPositive, "volume", [&](double v) { return gasjet_tank_advance(tank.value, 1.0, v); });
   refused(gasjet_tank_read(tank.value, nullptr), "state");
@@ -118,6 +138,7 @@ TEST_F(bad_calls, tank) {
   EXPECT_DOUBLE_EQ(state.pressure, 2e5);  // none of these has changed the tank
   ASSERT_OK(gasjet_tank_advance(tank.value, 1.0, 0.1));
   refused(gasjet_tank_add_vent(tank.value, 1.0, 1.0, 0.0), "tank");
+  refused(back(0, gas.value, 300.0), "tank");
   refused(gasjet_tank_advance(tank.value, 1.0, 0.1), "time");
 }
 

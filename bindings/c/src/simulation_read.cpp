@@ -110,11 +110,11 @@ int gasjet_sim_gas(gasjet_handle sim, gasjet_tank_state* gas) {
     if (!use->scene().has_volume()) refuse("sim", "has no volume of gas, allowed: a case with one");
     const gas::GasPoint p = driver::gas_now(use->scene(), use->state());
     const gasjet_tank_state all{
-        use->state().time, p.pressure, p.temperature,
-        p.volume,          p.mass,     use->state().gas.internal_energy + use->state().jet_work.ahead(),
-        p.density,         p.gamma,    p.cp,
-        p.gas_constant,    p.inflow,   p.vent_mass_flow,
-        p.fabric_mass_flow};
+        use->state().time,  p.pressure, p.temperature,
+        p.volume,           p.mass,     use->state().gas.internal_energy + use->state().jet_work.ahead(),
+        p.density,          p.gamma,    p.cp,
+        p.gas_constant,     p.inflow,   p.vent_mass_flow,
+        p.fabric_mass_flow, p.backflow, p.heat_loss};
     *gas = finite(all, "gas");
   });
 }

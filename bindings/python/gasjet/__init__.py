@@ -8,11 +8,12 @@ mesh. Gas, Tank, Jet, Surface, Membrane, Contact, SkinContact, Pendulum and Rigi
 head_injury_criterion() judges its acceleration.
 """
 from . import _gasjet
-from .bodies import Gas, Jet, Membrane, Surface, Tank, check_surface, fabric_leak, orifice, outlet, visible
+from .bodies import Jet, Membrane, Surface, check_surface, outlet, visible
 from .commands import check, cost, ensemble, export, identify, import_deck, ladder, merge_study, report, study
 from .coupling import Contact, Pendulum, RigidBody, SkinContact, head_injury_criterion
 from .errors import BusyError, DomainError, Error, GasjetWarning, InputError, StoppedError
 from .frames import Frame, Frames
+from .gases import Gas, Tank, fabric_leak, orifice
 from .meshes import Mesh, mesh
 from .results import Results, Run, load
 from .runs import catalogue, compare, exact, run

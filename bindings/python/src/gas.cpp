@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gas, outflow and tank.
+#include <sstream>
+
 #include "module.hpp"
 
 namespace {
@@ -80,6 +82,35 @@ void add_fabric(const Handle& tank, double leak_area) {
   check(gasjet_tank_add_fabric(tank.value, leak_area));
 }
 
+void add_backflow(const Handle& tank, int64_t vent, const Handle& gas, double temperature) {
+  check(gasjet_tank_add_backflow(tank.value, vent, gas.value, temperature));
+}
+
+void set_vent(const Handle& tank, int64_t vent, double area) {
+  check(gasjet_tank_set_vent(tank.value, vent, area));
+}
+
+void set_heat_loss(const Handle& tank, double conductance, double outside_temperature) {
+  check(gasjet_tank_set_heat_loss(tank.value, conductance, outside_temperature));
+}
+
+// Name, mass and amount of each species.
+py::list species(const Handle& tank) {
+  int64_t size = 0;
+  check(gasjet_tank_species(tank.value, nullptr, 0, &size));
+  std::string names(static_cast<std::size_t>(size), '\0');
+  check(gasjet_tank_species(tank.value, names.data(), size, &size));
+  names.pop_back();
+  const auto count = 1 + std::count(names.begin(), names.end(), '\n');
+  std::vector<double> mass(static_cast<std::size_t>(count)), amount(mass.size());
+  check(gasjet_tank_masses(tank.value, mass.data(), amount.data(), count));
+  py::list all;
+  std::istringstream lines(names);
+  for (std::string name; std::getline(lines, name);)
+    all.append(py::make_tuple(name, mass[all.size()], amount[all.size()]));
+  return all;
+}
+
 void advance(const Handle& tank, double time, double volume) {
   unlocked([&] { return gasjet_tank_advance(tank.value, time, volume); });
 }
@@ -101,6 +132,8 @@ py::dict dict_of(const gasjet_tank_state& s) {
   all["inflow_kg_s"] = s.inflow;
   all["vent_outflow_kg_s"] = s.vent_outflow;
   all["fabric_outflow_kg_s"] = s.fabric_outflow;
+  all["backflow_kg_s"] = s.backflow;
+  all["heat_loss_W"] = s.heat_loss;
   return all;
 }
 
@@ -118,10 +151,13 @@ py::dict tank_balance(const Handle& tank) {
   py::dict all;
   all["mass_in_kg"] = b.mass_in;
   all["enthalpy_in_J"] = b.enthalpy_in;
+  all["backflow_mass_kg"] = b.backflow_mass;
+  all["backflow_energy_J"] = b.backflow_energy;
   all["vent_mass_out_kg"] = b.vent_mass_out;
   all["fabric_mass_out_kg"] = b.fabric_mass_out;
   all["enthalpy_out_J"] = b.enthalpy_out;
   all["work_J"] = b.work;
+  all["heat_J"] = b.heat;
   all["mass_residual_kg"] = b.mass_residual;
   all["energy_residual_J"] = b.energy_residual;
   all["substeps"] = b.substeps;
@@ -142,6 +178,10 @@ void add_gas(py::module_& m) {
   def(m, "tank", &tank, {"gas", "pressure", "temperature", "volume", "ambient_pressure", "tolerance"});
   def(m, "tank_add_inflow", &add_inflow, {"tank", "gas", "time", "mass_flow", "temperature", "start_time"});
   def(m, "tank_add_vent", &add_vent, {"tank", "discharge_coefficient", "area", "opens_at"});
+  def(m, "tank_add_backflow", &add_backflow, {"tank", "vent", "gas", "temperature"});
+  def(m, "tank_set_vent", &set_vent, {"tank", "vent", "area"});
+  def(m, "tank_set_heat_loss", &set_heat_loss, {"tank", "conductance", "outside_temperature"});
+  def(m, "tank_species", &species, {"tank"});
   def(m, "tank_add_fabric", &add_fabric, {"tank", "leak_area"});
   def(m, "tank_advance", &advance, {"tank", "time", "volume"});
   def(m, "tank_state", &tank_state, {"tank"});

@@ -65,18 +65,23 @@ typedef struct gasjet_tank_state {
   double inflow;          /* [kg/s] */
   double vent_outflow;    /* [kg/s] */
   double fabric_outflow;  /* [kg/s] */
+  double backflow;        /* [kg/s] of gas outside, in through the vents */
+  double heat_loss;       /* [W] through the walls */
 } gasjet_tank_state;
 
 /* Amounts that crossed a tank's border since the start, and residuals of the balances. */
 typedef struct gasjet_tank_balance {
-  double mass_in;         /* [kg] */
+  double mass_in;         /* [kg] of inflows */
   double enthalpy_in;     /* [J] */
+  double backflow_mass;   /* [kg] in through vents */
+  double backflow_energy; /* [J] its enthalpy */
   double vent_mass_out;   /* [kg] */
   double fabric_mass_out; /* [kg] */
   double enthalpy_out;    /* [J] */
   double work;            /* [J] int p dV */
+  double heat;            /* [J] lost through the walls */
   double mass_residual;   /* [kg] mass now - at the start - in + out */
-  double energy_residual; /* [J] internal energy now - at the start - in + out + work */
+  double energy_residual; /* [J] internal energy now - at the start - in + out + work + heat */
   int64_t substeps;       /* sub-steps of the integrator */
 } gasjet_tank_balance;
 
@@ -101,10 +106,30 @@ GASJET_API int gasjet_tank_add_vent(gasjet_handle tank, double discharge_coeffic
 /* Porous fabric (G.7) of leak_area = sum eta^2 A [m2] >= 0. Areas of several calls add up. */
 GASJET_API int gasjet_tank_add_fabric(gasjet_handle tank, double leak_area);
 
+/* Vent `vent`, from 0 as they were added, lets gas of temperature [K] in while the pressure is below the
+ * ambient one (G.9). All such vents let in the gas of the last call. The handle may be freed afterwards. */
+GASJET_API int gasjet_tank_add_backflow(gasjet_handle tank, int64_t vent, gasjet_handle gas,
+                                        double temperature);
+
+/* What may change at any time; it counts from the tank's time on.
+ * Area [m2] >= 0 of a vent, which stays closed until opens_at is reached. */
+GASJET_API int gasjet_tank_set_vent(gasjet_handle tank, int64_t vent, double area);
+
+/* Heat lost through the walls, conductance (T - outside_temperature) [W] (G.11): conductance [W/K] >= 0,
+ * outside_temperature [K] > 0. */
+GASJET_API int gasjet_tank_set_heat_loss(gasjet_handle tank, double conductance, double outside_temperature);
+
 /* Advances to `time` [s], later than now. The volume changes linearly to `volume` [m3] > 0. */
 GASJET_API int gasjet_tank_advance(gasjet_handle tank, double time, double volume);
 
 GASJET_API int gasjet_tank_read(gasjet_handle tank, gasjet_tank_state* state);
+
+/* Names of the species in a tank, one a line; sizes as in gasjet_run_summary. */
+GASJET_API int gasjet_tank_species(gasjet_handle tank, char GASJET_OR_NULL text[], int64_t size,
+                                   int64_t* needed);
+
+/* Mass [kg] and amount [mol] of each of these species. */
+GASJET_API int gasjet_tank_masses(gasjet_handle tank, double mass[], double amount[], int64_t species_count);
 
 GASJET_API int gasjet_tank_read_balance(gasjet_handle tank, gasjet_tank_balance* balance);
 
