@@ -61,6 +61,14 @@ long SkinContactState::sweeps() const {
   return run_->search.sweeps();
 }
 
+SkinContactRecord SkinContactState::record() const {
+  const detail::SkinSearch& search = run_->search;
+  SkinContactRecord record{search.level(),           search.looks(), search.sweeps(), search.now(), {}, {},
+                           run_->friction.bristles()};
+  run_->memory.limits.write(record);
+  return record;
+}
+
 SkinContactModel::SkinContactModel(const Triangles& triangles, const Nodes& reference,
                                    std::span<const double> masses, const SkinContactParameters& parameters)
     : parameters_(parameters),
@@ -68,6 +76,24 @@ SkinContactModel::SkinContactModel(const Triangles& triangles, const Nodes& refe
 
 SkinContactState SkinContactModel::make_state(bool every_pair) const {
   return SkinContactState(std::make_unique<detail::SkinRun>(parts_, every_pair));
+}
+
+SkinContactState SkinContactModel::make_state(const SkinContactRecord& record) const {
+  const auto nodes = static_cast<Eigen::Index>(parts_->masses.size());
+  const auto is_part = [](int number, Eigen::Index count) { return number >= 0 && number < count; };
+  const bool fits = record.nodes.cols() == (record.level < 0 ? 0 : nodes) &&
+                    record.node_limits.size() == parts_->masses.size() &&
+                    record.edge_limits.size() == parts_->edges.size() &&
+                    std::ranges::all_of(record.bristles, [&](const SkinBristle& one) {
+                      return parameters_.friction > 0.0 && is_part(one.node, nodes) && is_part(one.side, 2) &&
+                             is_part(one.triangle, parts_->triangles.cols());
+                    });
+  if (!fits) detail::reject("self_contact.record", "not of this model", "from a state of this model");
+  SkinContactState state = make_state();
+  state.run_->search.go_on_from(record);
+  state.run_->memory.limits.read(record);
+  state.run_->friction.set(record.bristles);
+  return state;
 }
 
 SkinContactResult SkinContactModel::evaluate(SkinContactState& state, const Nodes& nodes,

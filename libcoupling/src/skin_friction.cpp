@@ -29,10 +29,10 @@ SkinFriction::SkinFriction(const SkinParts& parts) {
 }
 
 // The bristle of the last level on the same layer.
-SkinBristle SkinFriction::take(int node, int triangle, const SkinParts& parts) {
-  for (SkinBristle& old : before_[static_cast<std::size_t>(node)])
+Bristle SkinFriction::take(int node, int triangle, const SkinParts& parts) {
+  for (Bristle& old : before_[static_cast<std::size_t>(node)])
     if (old.triangle >= 0 && neighbours(parts, old.triangle, triangle)) {
-      const SkinBristle taken = old;
+      const Bristle taken = old;
       old.triangle = -1;
       return taken;
     }
@@ -50,15 +50,15 @@ void SkinFriction::choose(const Touch& touch, const SkinParts& parts) {
   }
 }
 
-SkinBristle SkinFriction::hold(const Touch& touch, double depth, const SkinParts& parts,
-                               const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before,
-                               NodalForces& forces, SkinContactResult& result) {
+Bristle SkinFriction::hold(const Touch& touch, double depth, const SkinParts& parts,
+                           const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before, NodalForces& forces,
+                           SkinContactResult& result) {
   const int node = touch.pair.first;
   const Corners corners = corners_of(parts, touch.pair);
   Vector3d slip = Vector3d::Zero();
   for (int k = 0; k < 4; ++k)
     slip += touch.closest.weight[k] * (now.col(corners.node[k]) - before.col(corners.node[k]));
-  const SkinBristle old = take(node, touch.pair.second, parts);
+  const Bristle old = take(node, touch.pair.second, parts);
   const Vector3d& normal = touch.closest.normal;
   const Vector3d wanted = old.triangle < 0 ? Vector3d::Zero().eval() : (old.stretch + slip).eval();
   Vector3d stretch = wanted - normal.dot(wanted) * normal;
@@ -75,12 +75,31 @@ SkinBristle SkinFriction::hold(const Touch& touch, double depth, const SkinParts
 double SkinFriction::release(const SkinParts& parts) {
   double loss = 0.0;
   for (const int node : held_before_)
-    for (SkinBristle& old : before_[static_cast<std::size_t>(node)]) {
+    for (Bristle& old : before_[static_cast<std::size_t>(node)]) {
       if (old.triangle >= 0) loss += 0.5 * weight_of(parts, node) * old.stretch.squaredNorm();
       old = {};
     }
   held_before_.clear();
   return loss;
+}
+
+std::vector<SkinBristle> SkinFriction::bristles() const {
+  std::vector<SkinBristle> all;
+  for (const int node : held_before_)
+    for (const int side : {0, 1}) {
+      const Bristle& one = before_[static_cast<std::size_t>(node)][static_cast<std::size_t>(side)];
+      if (one.triangle >= 0)
+        all.push_back({node, side, one.triangle, {one.stretch[0], one.stretch[1], one.stretch[2]}});
+    }
+  return all;
+}
+
+void SkinFriction::set(const std::vector<SkinBristle>& bristles) {
+  for (const SkinBristle& one : bristles) {
+    before_[static_cast<std::size_t>(one.node)][static_cast<std::size_t>(one.side)] = {
+        one.triangle, Eigen::Map<const Eigen::Vector3d>(one.stretch)};
+    if (held_before_.empty() || held_before_.back() != one.node) held_before_.push_back(one.node);
+  }
 }
 
 void SkinFriction::add(const std::vector<Touch>& touches, const SkinParts& parts, const SkinLimits& limits,

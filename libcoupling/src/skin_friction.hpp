@@ -8,8 +8,8 @@
 
 namespace coupling::detail {
 
-/// A node that sticks to a layer or slides on it.
-struct SkinBristle {
+/// What a node has on one of its sides.
+struct Bristle {
   int triangle = -1;                                  // of the layer; -1: none
   Eigen::Vector3d stretch = Eigen::Vector3d::Zero();  // [m] tangential, of the node against the element
 };
@@ -22,13 +22,16 @@ class SkinFriction {
   void add(const std::vector<Touch>& touches, const SkinParts& parts, const SkinLimits& limits,
            const Eigen::Matrix3Xd& now, const Eigen::Matrix3Xd& before, NodalForces& forces,
            SkinContactResult& result);
+  /// Those of the last level, to be read and set.
+  std::vector<SkinBristle> bristles() const;
+  void set(const std::vector<SkinBristle>& bristles);
 
  private:
-  using Sides = std::array<SkinBristle, 2>;
-  SkinBristle take(int node, int triangle, const SkinParts& parts);
+  using Sides = std::array<Bristle, 2>;
+  Bristle take(int node, int triangle, const SkinParts& parts);
   void choose(const Touch& touch, const SkinParts& parts);
-  SkinBristle hold(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& now,
-                   const Eigen::Matrix3Xd& before, NodalForces& forces, SkinContactResult& result);
+  Bristle hold(const Touch& touch, double depth, const SkinParts& parts, const Eigen::Matrix3Xd& now,
+               const Eigen::Matrix3Xd& before, NodalForces& forces, SkinContactResult& result);
   double release(const SkinParts& parts);
 
   std::vector<Sides> now_, before_;                   // by node

@@ -10,6 +10,13 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 // A limit rises by no more than that in a level.
 constexpr double kGrowth = 1.25;
 
+std::vector<int> below(const std::vector<double>& limits, double full) {
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    if (limits[i] < full) numbers.push_back(static_cast<int>(i));
+  return numbers;
+}
+
 }  // namespace
 
 SkinLimits::SkinLimits(const SkinParts& parts)
@@ -65,16 +72,25 @@ void SkinLimits::tell(const PartPair& pair, double distance) {
 }
 
 void SkinLimits::set_from_told() {
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    nodes_[n] = std::min(thickness_, least_node_[n]);
-    if (nodes_[n] < thickness_) small_nodes_.push_back(static_cast<int>(n));
-  }
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    edges_[e] = limit_of_edge(static_cast<int>(e));
-    if (edges_[e] < parts_->reach_of(true)) small_edges_.push_back(static_cast<int>(e));
-  }
+  for (std::size_t n = 0; n < nodes_.size(); ++n) nodes_[n] = std::min(thickness_, least_node_[n]);
+  for (std::size_t e = 0; e < edges_.size(); ++e) edges_[e] = limit_of_edge(static_cast<int>(e));
   std::ranges::fill(least_node_, kFar);
   std::ranges::fill(least_edge_, kFar);
+  small_nodes_ = below(nodes_, thickness_);
+  small_edges_ = below(edges_, parts_->reach_of(true));
+  set_groups();
+}
+
+void SkinLimits::write(SkinContactRecord& record) const {
+  record.node_limits = nodes_;
+  record.edge_limits = edges_;
+}
+
+void SkinLimits::read(const SkinContactRecord& record) {
+  nodes_ = record.node_limits;
+  edges_ = record.edge_limits;
+  small_nodes_ = below(nodes_, thickness_);
+  small_edges_ = below(edges_, parts_->reach_of(true));
   set_groups();
 }
 

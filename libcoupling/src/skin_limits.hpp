@@ -27,6 +27,9 @@ class SkinLimits {
   void set_from_told();  // at the first level
   void raise();          // after each other one
 
+  /// Writes the limits between two levels, and reads them.
+  void write(SkinContactRecord& record) const;
+  void read(const SkinContactRecord& record);
   const std::vector<int>& small_nodes() const { return small_nodes_; }  // with limits below the thickness
 
  private:

@@ -71,6 +71,15 @@ double SkinSearch::least_distance(const GroupPair& pair, const SkinLimits& limit
   return least - motion_.rounding();
 }
 
+void SkinSearch::go_on_from(const SkinContactRecord& record) {
+  looks_.level = record.level;
+  looks_.looks = record.looks;
+  looks_.sweeps = record.sweeps;
+  if (record.level < 0) return;
+  motion_.advance(record.nodes);
+  moved_ = 2.0F * margin_;  // groups are paired at the next level
+}
+
 void SkinSearch::follow(const Nodes& nodes, const SkinLimits& limits) {
   looks_.advance();
   motion_.advance(nodes);

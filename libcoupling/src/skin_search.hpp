@@ -32,6 +32,8 @@ class SkinSearch {
 
   /// Goes on to the next level. Throws ContactError.
   void follow(const Nodes& nodes, const SkinLimits& limits);
+  /// Goes on from a level that another search has followed.
+  void go_on_from(const SkinContactRecord& record);
 
   const std::vector<Touch>& touches() const { return looks_.touches; }  // of the last level
   double approach() const { return looks_.approach; }                   // [-] as in SkinContactResult
@@ -39,6 +41,7 @@ class SkinSearch {
   const Eigen::Matrix3Xd& before() const { return motion_.before(); }   // and at the one before
   const std::shared_ptr<const SkinParts>& parts() const { return parts_; }
   bool first_level() const { return looks_.level == 0; }  // the last level was the first one
+  long level() const { return looks_.level; }             // number of the last level
   long looks() const { return looks_.looks; }             // distances computed
   long sweeps() const { return looks_.sweeps; }           // paths tested
 

@@ -148,6 +148,27 @@ TEST(simulation, saved_states_go_on_with_the_same_bits) {
   EXPECT_GT(original.state().peaks.jet_force, 1.0);
 }
 
+// A folded bag whose layers touch and rub: what the contact remembers goes along.
+TEST(simulation, saved_states_of_touching_layers_go_on_with_the_same_bits) {
+  const Overrides overrides{"scene.end_time=0.001", "membrane.self_contact.friction=0.3"};
+  Simulation original = simulation_of("driver_folded", overrides),
+             other = simulation_of("driver_folded", overrides);
+  original.step(40);
+  for (int n = 0; n < 2; ++n) {
+    restore(other, saved(original));
+    original.step(5);
+    other.step(5);
+    const driver::State &mine = other.state(), &theirs = original.state();
+    EXPECT_GT(theirs.skin_contact.contacts, 10);
+    EXPECT_GT(theirs.flows.friction_loss, 0.0);
+    EXPECT_EQ(mine.bag->position.map(), theirs.bag->position.map());
+    EXPECT_EQ(mine.skin_contact.energy, theirs.skin_contact.energy);
+    EXPECT_EQ(mine.flows.friction_loss, theirs.flows.friction_loss);
+    EXPECT_EQ(mine.step.after, theirs.step.after);
+    original.evaluate();
+  }
+}
+
 TEST(simulation, damaged_states_are_refused) {
   Simulation simulation = simulation_of("tank_triggers", {"scene.end_time=0.01"});
   simulation.step(3);

@@ -25,6 +25,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "coupling/error.hpp"
 #include "coupling/skin.hpp"
@@ -85,6 +86,23 @@ class GapError : public ContactError {
   double motion_;
 };
 
+/// A node that sticks to a layer or slides on it.
+struct SkinBristle {
+  int node, side;     // one on each side of a node
+  int triangle;       // of the layer
+  double stretch[3];  // [m] tangential, of the node against the element
+};
+
+/// What the levels to come depend on beside their positions.
+struct SkinContactRecord {
+  long level = -1;                         // number of the last one; -1: none
+  long looks = 0, sweeps = 0;              // counters
+  Eigen::Matrix3Xd nodes;                  // [m] at the last level
+  std::vector<double> node_limits;         // [m]
+  std::vector<double> edge_limits;         // [m]
+  std::vector<SkinBristle> bristles = {};  // in the order in which their energies are summed
+};
+
 /// Workspace of one run, made by SkinContactModel::make_state. It holds what the energy depends on beside the
 /// positions, the limits of nodes and edges and the stretch of friction; the rest saves work.
 class SkinContactState {
@@ -95,10 +113,11 @@ class SkinContactState {
   SkinContactState& operator=(SkinContactState&& other) noexcept;  // likewise a move
   ~SkinContactState();                                             // ends the run
 
-  int limited_nodes() const;      // nodes whose limit is below h
-  double smallest_limit() const;  // [m] of a node
-  long looks() const;             // counter: distances computed
-  long sweeps() const;            // counter: paths tested
+  int limited_nodes() const;         // nodes whose limit is below h
+  double smallest_limit() const;     // [m] of a node
+  long looks() const;                // counter: distances computed
+  long sweeps() const;               // counter: paths tested
+  SkinContactRecord record() const;  // for make_state()
 
  private:
   friend class SkinContactModel;
@@ -120,6 +139,9 @@ class SkinContactModel {
   /// A state without a last level. `every_pair`: each level computes all distances, which costs M^2; the
   /// forces have the same bits.
   SkinContactState make_state(bool every_pair = false) const;
+  /// A state that goes on with the same bits as the one that was recorded. Throws std::invalid_argument for a
+  /// record of another model.
+  SkinContactState make_state(const SkinContactRecord& record) const;
 
   /// Adds the forces at `nodes` (3 x N) [m] to `forces`, and returns the result. Calls with one state belong
   /// to successive levels; the first one sets the limits.

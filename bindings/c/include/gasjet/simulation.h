@@ -29,7 +29,7 @@ GASJET_API int gasjet_sim_clone(gasjet_handle sim, gasjet_handle* clone);
 GASJET_API int gasjet_sim_assign(gasjet_handle sim, gasjet_handle from);
 
 /* The state and all that was set, as bytes for a file or another process; only the same build reads them, for
- * the same case. Sizes as in gasjet_run_summary. Not for a bag whose layers touch (membrane.self_contact). */
+ * the same case. Sizes as in gasjet_run_summary. */
 GASJET_API int gasjet_sim_save(gasjet_handle sim, uint8_t GASJET_OR_NULL bytes[], int64_t size,
                                int64_t* needed);
 
@@ -144,7 +144,8 @@ GASJET_API int gasjet_sim_set_ambient(gasjet_handle sim, double pressure, double
 GASJET_API int gasjet_sim_set_inflow(gasjet_handle sim, int64_t inflator, double mass_flow,
                                      double temperature);
 
-/* Outlet of a jet: centre [m], axis [-] of any length. A slot's long side turns with the axis. */
+/* Outlet of a jet: centre [m] inside the bag or on its skin, axis [-] of any length. A slot's long side turns
+ * with the axis. */
 GASJET_API int gasjet_sim_set_outlet(gasjet_handle sim, int64_t jet, const double centre[3],
                                      const double axis[3]);
 

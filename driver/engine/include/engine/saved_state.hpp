@@ -11,8 +11,7 @@ namespace driver {
 
 /// State and settings of a simulation, without the rows so far. Only the build that wrote the bytes reads
 /// them, in a simulation of the same case; further steps have the same bits. Throws std::invalid_argument for
-/// a bag whose layers touch
-/// ([membrane.self_contact]), for one that has failed, and while a setting waits for the next level.
+/// one that has failed, and while a setting waits for the next level.
 std::string saved(const Simulation& simulation);
 
 /// Gives a simulation of the same case that state, and forgets its own. Throws std::invalid_argument for

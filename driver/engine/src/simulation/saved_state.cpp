@@ -73,7 +73,20 @@ void add(Archive& a, coupling::ContactState& s) {
   a.list(s.slack), a.list(s.group_slack), a.list(s.near), a.list(s.bristles), a.list(s.old_bristles);
 }
 
+void add(Archive& a, coupling::SkinContactRecord& s) {
+  a.plain(s.level, s.looks, s.sweeps);
+  a.matrix(s.nodes);
+  a.list(s.node_limits), a.list(s.edge_limits), a.list(s.bristles);
+}
+
 // What only saves work is made anew.
+void add(Archive& a, const coupling::SkinContactModel& model, State& s) {
+  coupling::SkinContactRecord record = s.skin_contact_cache->record();
+  add(a, record);
+  if (a.reads()) s.skin_contact_cache = model.make_state(record);
+}
+
+// Likewise.
 void add(Archive& a, JetRun& s) {
   a.plain(s.outlet, s.field.restitution, s.field.size_ratio, s.field.outline_motion, s.counters, s.total,
           s.force, s.load_change, s.firing);
@@ -83,8 +96,9 @@ void add(Archive& a, JetRun& s) {
   if (a.reads()) s.field.displacement_bound = jet::kMotionUnknown;
 }
 
-void add(Archive& a, State& s) {
-  a.plain(s.time, s.steps, s.stage, s.step, s.flows, s.gas_point, s.jet_work, s.contact, s.stage_ticks);
+void add(Archive& a, const Scene& scene, State& s) {
+  a.plain(s.time, s.steps, s.stage, s.step, s.flows, s.gas_point, s.jet_work, s.contact, s.skin_contact,
+          s.stage_ticks);
   add(a, s.level), add(a, s.peaks), add(a, s.start), add(a, s.gas), add(a, s.streams);
   a.plain(s.gas_events.last);
   a.whole(s.gas_events.opened);
@@ -92,6 +106,7 @@ void add(Archive& a, State& s) {
   if (s.pendulum) a.plain(*s.pendulum);
   if (s.body) a.plain(*s.body);
   if (s.contact_cache) add(a, *s.contact_cache);
+  if (s.skin_contact_cache) add(a, *scene.skin_contact, s);
   for (JetRun& jet : s.jets) add(a, jet);
 }
 
@@ -123,10 +138,6 @@ std::string key_of(const Simulation& simulation) {
 
 std::string saved(const Simulation& simulation) {
   const Moment& now = simulation.now();
-  if (now.state.skin_contact_cache)
-    throw std::invalid_argument(
-        "sim: has a bag whose layers touch, which is not saved; allowed: a clone, or a case without "
-        "membrane.self_contact");
   if (!now.failure.empty()) throw std::invalid_argument("sim: has failed, allowed: one that can go on");
   if (!now.later.empty())
     throw std::invalid_argument("sim: has a setting that waits for the next level, allowed: after a step");
@@ -139,7 +150,7 @@ std::string saved(const Simulation& simulation) {
   archive.text(key);
   archive.list(controls);
   archive.plain(progress, evaluated);
-  add(archive, state);
+  add(archive, simulation.scene(), state);
   const std::uint64_t sum = checksum(archive.written());
   return archive.written() + std::string(reinterpret_cast<const char*>(&sum), sizeof sum);
 }
@@ -168,7 +179,7 @@ void restore(Simulation& simulation, std::string_view bytes) {
   std::uint8_t evaluated = 0;
   archive.plain(progress, evaluated);
   State state = fresh.state();
-  add(archive, state);
+  add(archive, fresh.scene(), state);
   if (!archive.at_end()) throw std::invalid_argument("state: has more bytes than were saved");
   fresh.take(state, progress, evaluated != 0);
   simulation = static_cast<const Simulation&>(fresh);
