@@ -23,7 +23,8 @@ void set_ambient(Simulation& simulation, double pressure, double temperature);
 /// What an inflator delivers, whatever its trigger does: mass flow [kg/s] >= 0, temperature [K].
 void set_inflow(Simulation& simulation, std::size_t inflator, double mass_flow, double temperature);
 /// Place and direction of a jet's outlet: centre [m], axis [-] of any length. A slot's long side turns by the
-/// smallest rotation that turns the axis. Whether the outlet is inside the bag is not tested.
+/// smallest rotation that turns the axis. Throws in addition if its centre is outside the bag, which is
+/// looked at each time it has moved by a tenth of its size or turned by 0.1 rad.
 void set_outlet(Simulation& simulation, std::size_t jet, const Eigen::Vector3d& centre,
                 const Eigen::Vector3d& axis);
 /// Steps meet the multiples of an interval [s], a millionth of the end time or more, from now on, at which
@@ -34,7 +35,7 @@ void meet_every(Simulation& simulation, double interval);
 /// one.
 void set_gravity(Simulation& simulation, const Eigen::Vector3d& gravity);
 
-/// Sets a value as it was set before. Throws as that function.
+/// Sets a value as it was set before, an outlet without a look at the bag. Throws as that function.
 void apply(Simulation& simulation, const Control& control);
 
 /// Where an impactor is and how it goes on.

@@ -110,6 +110,8 @@ struct JetRun {
   double load_change = 0.0;  // S5, load on a plate over that of the call before; 0 if there was none
   /// S5 [s] Firing of its inflator, as far as it was known when the kick began.
   double firing = std::numeric_limits<double>::infinity();
+  /// Outlet of the caller that was last known to be inside the bag: centre [m] and axis; NaN: none.
+  Eigen::Matrix<double, 3, 2> known_inside = Eigen::Matrix<double, 3, 2>::Constant(NAN);
 };
 
 /// Values of the current level n that later stages overwrite, kept for the balances of n.

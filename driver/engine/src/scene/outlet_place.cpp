@@ -53,9 +53,8 @@ struct Hit {
 // Where an outlet's points are to a bag, each moved along the axis by a millionth of the bag's size.
 class OutletPlace {
  public:
-  OutletPlace(const jet::JetModel& model, const BagPart& bag)
-      : axis_(model.axis), lines_(lines_across(model)), bag_(bag) {
-    const auto& nodes = bag.initial_position;
+  OutletPlace(const jet::JetModel& model, const Eigen::Matrix3Xi& elements, const Eigen::Matrix3Xd& nodes)
+      : axis_(model.axis), lines_(lines_across(model)), elements_(elements), nodes_(nodes) {
     size_ = (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm();
   }
   /// The first point that is where it may not be, none if the outlet is within the bag, moved along the axis
@@ -67,6 +66,12 @@ class OutletPlace {
       if (rim && !thickness(line, way)) return rim;
     }
     return {};
+  }
+  /// The outlet's centre if the point a hundredth of the outlet's width before it is outside: a skin on which
+  /// it lies may tremble.
+  std::optional<Eigen::Vector3d> centre_outside() const {
+    const Across& line = lines_.front();
+    return is_outside(line.middle, 0.02 * line.half) ? std::optional(line.middle) : std::nullopt;
   }
   /// Least thickness [m] of the bag where the outlet's rim is outside; none if it is inside.
   std::optional<double> thin_bag() const {
@@ -82,7 +87,7 @@ class OutletPlace {
       for (const Eigen::Vector3d& point :
            {Eigen::Vector3d(line.middle - line.half * line.direction), line.middle,
             Eigen::Vector3d(line.middle + line.half * line.direction)})
-        for (Eigen::Index e = 0; e < bag_.mesh.elements.cols(); ++e)
+        for (Eigen::Index e = 0; e < elements_.cols(); ++e)
           if (const double way = way_to(e, point, axis_); way > 0.0) ways.push_back(way);
     std::ranges::sort(ways);
     for (const double way : ways)
@@ -95,7 +100,7 @@ class OutletPlace {
     return point + (way + 1e-6 * size_) * axis_;
   }
   bool is_outside(const Eigen::Vector3d& point, double way) const {
-    return !(coupling::winding_number(bag_.mesh.elements, bag_.initial_position, moved(point, way)) > 0.5);
+    return !(coupling::winding_number(elements_, nodes_, moved(point, way)) > 0.5);
   }
   std::optional<Eigen::Vector3d> rim_outside(const Across& line, double way) const {
     for (const double sign : {-1.0, 1.0})
@@ -116,21 +121,19 @@ class OutletPlace {
   }
   bool is_along_axis(Eigen::Index e) const {
     constexpr double most = 0.5;  // sine of the angle between skin and axis: 30 degrees
-    const Eigen::Matrix3d x = bag_.initial_position(Eigen::all, bag_.mesh.elements.col(e));
+    const Eigen::Matrix3d x = nodes_(Eigen::all, elements_.col(e));
     const Eigen::Vector3d normal = (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0));
     return std::abs(normal.dot(axis_)) <= most * normal.norm();
   }
   Hit first_hit(const Eigen::Vector3d& point, const Eigen::Vector3d& direction) const {
     Hit first;
-    for (Eigen::Index e = 0; e < bag_.mesh.elements.cols(); ++e)
+    for (Eigen::Index e = 0; e < elements_.cols(); ++e)
       if (const double way = way_to(e, point, direction); way >= 0.0 && way < first.way) first = {way, e};
     return first;
   }
   // From a point to an element [m]; not a number if the way passes beside it.
   double way_to(Eigen::Index e, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) const {
-    const auto corner = [&](int i) -> Eigen::Vector3d {
-      return bag_.initial_position.col(bag_.mesh.elements(i, e)) - point;
-    };
+    const auto corner = [&](int i) -> Eigen::Vector3d { return nodes_.col(elements_(i, e)) - point; };
     Eigen::Matrix3d edges;
     edges << corner(1) - corner(0), corner(2) - corner(0), -direction;
     const Eigen::Vector3d at = -edges.inverse() * corner(0);
@@ -141,16 +144,12 @@ class OutletPlace {
 
   Eigen::Vector3d axis_;
   std::vector<Across> lines_;
-  const BagPart& bag_;
+  const Eigen::Matrix3Xi& elements_;
+  const Eigen::Matrix3Xd& nodes_;
   double size_ = 0.0;  // [m] of the bag
 };
 
-}  // namespace
-
-std::optional<double> require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
-  const OutletPlace place(model, bag);
-  const auto point = place.outside();
-  if (!point) return place.thin_bag();
+[[noreturn]] void refuse(const jet::JetModel& model, const OutletPlace& place, const Eigen::Vector3d& point) {
   std::string advice;
   if (const auto way = place.way_inside()) {
     const Eigen::Vector3d centre = model.centre + *way * model.axis;
@@ -162,8 +161,22 @@ std::optional<double> require_outlet_inside(const jet::JetModel& model, const Ba
       "flat "
       "on its skin with the axis inwards, or between two sheets along the axis that are closer than the "
       "outlet is wide{}",
-      point->x(), point->y(), point->z(),
-      *point == model.centre ? "" : " (the centre is inside, but the rim is outside the skin)", advice));
+      point.x(), point.y(), point.z(),
+      point == model.centre ? "" : " (the centre is inside, but the rim is outside the skin)", advice));
+}
+
+}  // namespace
+
+std::optional<double> require_outlet_inside(const jet::JetModel& model, const BagPart& bag) {
+  const OutletPlace place(model, bag.mesh.elements, bag.initial_position);
+  if (const auto point = place.outside()) refuse(model, place, *point);
+  return place.thin_bag();
+}
+
+void require_centre_inside(const jet::JetModel& model, const Eigen::Matrix3Xi& elements,
+                           const Eigen::Matrix3Xd& nodes) {
+  const OutletPlace place(model, elements, nodes);
+  if (const auto point = place.centre_outside()) refuse(model, place, *point);
 }
 
 }  // namespace driver

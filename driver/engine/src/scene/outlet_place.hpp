@@ -2,6 +2,7 @@
 // Whether an outlet is inside its bag.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "engine/scene.hpp"
@@ -14,5 +15,8 @@ namespace driver {
 /// at 30 degrees at most: so is a jet in the plane of a flat bag. Returns the bag's thickness there [m], none
 /// if the outlet is inside.
 std::optional<double> require_outlet_inside(const jet::JetModel& model, const BagPart& bag);
+/// The same for the centre of an outlet that moves with its module.
+void require_centre_inside(const jet::JetModel& model, const Eigen::Matrix3Xi& elements,
+                           const Eigen::Matrix3Xd& nodes);
 
 }  // namespace driver

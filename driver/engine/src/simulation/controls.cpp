@@ -10,34 +10,16 @@
 
 #include "engine/impactor.hpp"
 #include "engine/stages.hpp"
+#include "simulation/control_checks.hpp"
 
 namespace driver {
 namespace {
 
 using Eigen::Vector3d;
 
-[[noreturn]] void refuse(const std::string& text) {
-  throw std::invalid_argument(text);
-}
-
-void require_number(std::size_t number, std::size_t count, const char* name) {
-  if (number < count) return;
-  refuse(count == 0 ? fmt::format("{}: is {}, but the scene has none", name, number)
-                    : fmt::format("{}: is {}, allowed: 0 to {}", name, number, count - 1));
-}
-
-void require(bool good, const char* name, double value, const char* allowed) {
-  if (!good) refuse(fmt::format("{}: is {:.6g}, allowed: {}", name, value, allowed));
-}
-
-void require_finite(const Eigen::Ref<const Eigen::MatrixXd>& values, const char* name) {
-  if (!values.allFinite())
-    refuse(fmt::format("{}: has a number that is not finite, allowed: finite ones", name));
-}
-
 const GasPart& gas_of(const Simulation& simulation, const char* name) {
   if (!simulation.scene().has_volume())
-    refuse(fmt::format("{}: the scene has no volume of gas, allowed: a case with one", name));
+    control::refuse(fmt::format("{}: the scene has no volume of gas, allowed: a case with one", name));
   return *simulation.scene().gas;
 }
 
@@ -60,15 +42,16 @@ void settle_ambient_work(const Scene& scene, State& state, double pressure) {
 }
 
 void require_rotation(const Eigen::Matrix3d& axes) {
-  require_finite(axes, "axes");
+  control::require_finite(axes, "axes");
   const double error = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(error < 1e-9)) refuse(fmt::format("axes: are not a rotation, off by {:.3g}, allowed: 1e-9", error));
-  if (!(axes.determinant() > 0.0)) refuse("axes: are a mirror image, allowed: a rotation");
+  if (!(error < 1e-9))
+    control::refuse(fmt::format("axes: are not a rotation, off by {:.3g}, allowed: 1e-9", error));
+  if (!(axes.determinant() > 0.0)) control::refuse("axes: are a mirror image, allowed: a rotation");
 }
 
 void require_no_turn(const Scene& scene, const Vector3d& angular_velocity) {
   if (!scene.body->model.is_free() && !angular_velocity.isZero(0.0))
-    refuse("angular_velocity: is not zero, allowed: zero, as a body on a rail does not turn");
+    control::refuse("angular_velocity: is not zero, allowed: zero, as a body on a rail does not turn");
 }
 
 // As the caller takes the impactor over, its energy at the last level leaves the balance.
@@ -96,8 +79,8 @@ void set_speed(const Scene& scene, State& state, const Vector3d& velocity, const
 
 void set_vent_area(Simulation& simulation, std::size_t vent, double area) {
   const GasPart& gas = gas_of(simulation, "vent");
-  require_number(vent, gas.model.vents.size(), "vent");
-  require(area >= 0.0 && std::isfinite(area), "area", area, "0 or more");
+  control::require_number(vent, gas.model.vents.size(), "vent");
+  control::require(area >= 0.0 && std::isfinite(area), "area", area, "0 or more");
   const gas::Vent& now = gas.model.vents[vent];
   if (now.area == area && !now.area_of_time && !now.area_of_overpressure) return;
   const Control control{Control::vent, vent, {area}};
@@ -114,10 +97,11 @@ void set_sensor(Simulation& simulation, const std::string& name, bool on) {
   const auto found = std::ranges::find(gas.sensor_names, name);
   const auto number = static_cast<std::size_t>(found - gas.sensor_names.begin());
   if (found == gas.sensor_names.end())
-    refuse(fmt::format("name: is '{}', but the scene has no such sensor", name));
+    control::refuse(fmt::format("name: is '{}', but the scene has no such sensor", name));
   if (gas.model.triggers.sensors[number].kind != gas::SensorKind::input ||
       std::ranges::find(gas.contact_sensors, number) != gas.contact_sensors.end())
-    refuse(fmt::format("name: is '{}', which follows the scene, allowed: one with external = true", name));
+    control::refuse(
+        fmt::format("name: is '{}', which follows the scene, allowed: one with external = true", name));
   simulation.change_now([number, on](Scene& scene, State& state) {
     gas::set_input(scene.gas->model.triggers, number, on, state.gas.triggers);
   });
@@ -125,8 +109,8 @@ void set_sensor(Simulation& simulation, const std::string& name, bool on) {
 
 void set_ambient(Simulation& simulation, double pressure, double temperature) {
   gas::ControlVolumeModel model = gas_of(simulation, "pressure").model;
-  require(pressure >= 0.0 && std::isfinite(pressure), "pressure", pressure, "0 or more");
-  require(temperature > 0.0 && std::isfinite(temperature), "temperature", temperature, "above 0");
+  control::require(pressure >= 0.0 && std::isfinite(pressure), "pressure", pressure, "0 or more");
+  control::require(temperature > 0.0 && std::isfinite(temperature), "temperature", temperature, "above 0");
   model.ambient.pressure = pressure;
   model.ambient.temperature = temperature;
   gas::validate(model);  // before anything changes
@@ -143,9 +127,9 @@ void set_ambient(Simulation& simulation, double pressure, double temperature) {
 
 void set_inflow(Simulation& simulation, std::size_t inflator, double mass_flow, double temperature) {
   const GasPart& gas = gas_of(simulation, "inflator");
-  require_number(inflator, gas.model.inflows.size(), "inflator");
-  require(mass_flow >= 0.0 && std::isfinite(mass_flow), "mass_flow", mass_flow, "0 or more");
-  require(temperature > 0.0 && std::isfinite(temperature), "temperature", temperature, "above 0");
+  control::require_number(inflator, gas.model.inflows.size(), "inflator");
+  control::require(mass_flow >= 0.0 && std::isfinite(mass_flow), "mass_flow", mass_flow, "0 or more");
+  control::require(temperature > 0.0 && std::isfinite(temperature), "temperature", temperature, "above 0");
   const auto change = [inflator, mass_flow, temperature](Scene& scene, State& state) {
     gas::Inflow& inflow = scene.gas->model.inflows[inflator];
     inflow.mass_flow = gas::Curve::constant(mass_flow);
@@ -163,40 +147,19 @@ void set_inflow(Simulation& simulation, std::size_t inflator, double mass_flow, 
   simulation.note({Control::inflow, inflator, {mass_flow, temperature}});
 }
 
-void set_outlet(Simulation& simulation, std::size_t jet, const Vector3d& centre, const Vector3d& axis) {
-  const Scene& scene = simulation.scene();
-  require_number(jet, scene.jets.size(), "jet");
-  require_finite(centre, "centre");
-  require_finite(axis, "axis");
-  if (!(axis.norm() > 0.0)) refuse("axis: is zero, allowed: any other length");
-  const jet::JetField& field = scene.jets[jet].field;
-  const jet::JetModel& model = simulation.now().given->jets[jet].field.model();
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(model.axis, axis);
-  const Vector3d along =
-      model.shape == jet::OutletShape::rectangular ? turn * model.long_direction : model.long_direction;
-  simulation.change_level([jet, field = field.placed(centre, axis, along)](Scene& changed, State& state) {
-    changed.jets[jet].field = field;
-    JetRun& run = state.jets[jet];
-    run.field.displacement_bound = jet::kMotionUnknown;
-    run.query = *changed.jets[jet].query;
-    run.load_change = 0.0;
-  });
-  simulation.note({Control::outlet, jet, {centre.x(), centre.y(), centre.z(), axis.x(), axis.y(), axis.z()}});
-}
-
 void meet_every(Simulation& simulation, double interval) {
   const double least = 1e-6 * simulation.scene().time.end;
-  require(interval == 0.0 || (interval >= least && std::isfinite(interval)), "interval", interval,
-          "0, or a millionth of the end time or more");
+  control::require(interval == 0.0 || (interval >= least && std::isfinite(interval)), "interval", interval,
+                   "0, or a millionth of the end time or more");
   simulation.change_level([interval](Scene&, State& state) { state.step.meet_every = interval; });
 }
 
 void set_gravity(Simulation& simulation, const Vector3d& gravity) {
   const Scene& scene = simulation.scene();
-  require_finite(gravity, "gravity");
-  if (!scene.moves()) refuse("gravity: has no effect, as nothing in the scene moves");
+  control::require_finite(gravity, "gravity");
+  if (!scene.moves()) control::refuse("gravity: has no effect, as nothing in the scene moves");
   if (!scene.gravity.isZero(0.0))
-    refuse(
+    control::refuse(
         "gravity: is constant in the scene, which counts its energy, allowed: a case without scene.gravity, "
         "or "
         "with one over time");
@@ -217,33 +180,33 @@ void apply(Simulation& simulation, const Control& control) {
     case Control::inflow:
       return set_inflow(simulation, control.part, v[0], v[1]);
     case Control::outlet:
-      return set_outlet(simulation, control.part, {v[0], v[1], v[2]}, {v[3], v[4], v[5]});
+      return place_outlet(simulation, control.part, {v[0], v[1], v[2]}, {v[3], v[4], v[5]});
     case Control::gravity:
       return set_gravity(simulation, {v[0], v[1], v[2]});
   }
-  refuse("state: is damaged, allowed: bytes as they were saved");
+  control::refuse("state: is damaged, allowed: bytes as they were saved");
 }
 
 void set_impactor(Simulation& simulation, const ImpactorPlace& place) {
   const Scene& scene = simulation.scene();
   if (!scene.body)
-    refuse(scene.pendulum ? "sim: has an impactor on a pendulum, allowed: one on a rail or free"
-                          : "sim: has no impactor, allowed: a case with one on a rail or free");
+    control::refuse(scene.pendulum ? "sim: has an impactor on a pendulum, allowed: one on a rail or free"
+                                   : "sim: has no impactor, allowed: a case with one on a rail or free");
   if (simulation.now().evaluated)
-    refuse(fmt::format(
+    control::refuse(fmt::format(
         "sim: is evaluated at {:.6g} s, allowed: after a step, before forces, contact or the next "
         "step are read",
         simulation.state().time));
-  require_finite(place.centre, "centre");
-  require_finite(place.velocity, "velocity");
-  require_finite(place.angular_velocity, "angular_velocity");
+  control::require_finite(place.centre, "centre");
+  control::require_finite(place.velocity, "velocity");
+  control::require_finite(place.angular_velocity, "angular_velocity");
   require_rotation(place.axes);
   require_no_turn(scene, place.angular_velocity);
   const State& now = simulation.state();
   const double jump = (place.centre - now.body->motion.centre).norm(),
                half = 0.5 * coupling::size_of(scene.impactor);
   if (scene.contact && !(jump <= half))
-    refuse(
+    control::refuse(
         fmt::format("centre: jumps by {:.3g} m, allowed: {:.3g} m, half of what it may sink in", jump, half));
   simulation.change_now([place](Scene& changed, State& state) {
     take_over(state);
@@ -255,9 +218,9 @@ void set_impactor(Simulation& simulation, const ImpactorPlace& place) {
 
 void set_impactor_speed(Simulation& simulation, const Vector3d& velocity, const Vector3d& angular_velocity) {
   if (!simulation.state().body || !simulation.state().body->driven)
-    refuse("sim: has no impactor of the caller, allowed: after its place was set");
-  require_finite(velocity, "velocity");
-  require_finite(angular_velocity, "angular_velocity");
+    control::refuse("sim: has no impactor of the caller, allowed: after its place was set");
+  control::require_finite(velocity, "velocity");
+  control::require_finite(angular_velocity, "angular_velocity");
   require_no_turn(simulation.scene(), angular_velocity);
   simulation.change_now([velocity, angular_velocity](Scene& scene, State& state) {
     set_speed(scene, state, velocity, angular_velocity);
@@ -270,10 +233,10 @@ gas::GasPoint gas_now(const Scene& scene, const State& state) {
 }
 
 membrane::VectorsMap own_force(Simulation& simulation) {
-  if (!simulation.scene().bag) refuse("sim: has no skin, allowed: a case with [membrane]");
+  if (!simulation.scene().bag) control::refuse("sim: has no skin, allowed: a case with [membrane]");
   membrane::Vectors* force = nullptr;
   simulation.change_now([&](Scene&, State& state) { force = &state.bag->own_force; });
-  if (force->empty()) refuse("sim: takes no forces, allowed: a scene that is driven");
+  if (force->empty()) control::refuse("sim: takes no forces, allowed: a scene that is driven");
   return force->map();
 }
 
