@@ -13,7 +13,7 @@ void Sim::watch() {
         folder->follow(simulation.scene());
         files(recorded, now);
       },
-      folder ? folder->views() : std::vector<driver::LevelView>{});
+      folder ? folder->views() : std::vector<driver::LevelView>{checks.view()});
 }
 
 void Sim::open(const std::string& path, const driver::RunOptions& options) {

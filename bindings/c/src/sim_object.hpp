@@ -10,6 +10,7 @@
 
 #include "engine/simulation.hpp"
 #include "results/run_to_folder.hpp"
+#include "results/skin_checks.hpp"
 #include "run_object.hpp"
 
 namespace border {
@@ -22,10 +23,14 @@ struct Sim : Object {
   Sim(driver::Simulation start, driver::Provenance the_lines)
       : lines(std::move(the_lines)),
         tables{Table(driver::history_columns(start.scene())), Table(driver::energy_columns(start.scene()))},
-        simulation(std::move(start)) {
+        simulation(std::move(start)),
+        checks(*simulation.now().given) {
     watch();
   }
-  Sim(const Sim& other) : lines(other.lines), tables(other.tables), simulation(other.simulation) { watch(); }
+  Sim(const Sim& other)
+      : lines(other.lines), tables(other.tables), simulation(other.simulation), checks(other.checks) {
+    watch();
+  }
   ~Sim() override;
 
   const driver::Scene& scene() const { return simulation.scene(); }
@@ -39,6 +44,7 @@ struct Sim : Object {
   driver::Provenance lines;
   Tables tables;
   driver::Simulation simulation;
+  driver::SkinChecks checks;  // of the scene as it was given
   std::optional<driver::RunFolder> folder;
 };
 

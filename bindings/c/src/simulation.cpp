@@ -64,6 +64,7 @@ int gasjet_sim_assign(gasjet_handle sim, gasjet_handle from) {
       refuse("from", "is of another case, allowed: a clone, or what this was cloned from");
     use->simulation = other->simulation;
     use->tables = other->tables;
+    use->checks.go_on_as(other->checks);
   });
 }
 
@@ -96,6 +97,7 @@ int gasjet_sim_reset(gasjet_handle sim) {
     require_no_folder(*use);
     use->simulation.reset();
     for (Table& table : use->tables) table = Table(table.columns);
+    use->checks.go_on_as(driver::SkinChecks(*use->simulation.now().given));
   });
 }
 
@@ -156,7 +158,10 @@ int gasjet_sim_results(gasjet_handle sim, gasjet_handle* run) {
     if (simulation.ended() && simulation.now().failure.empty()) simulation.evaluate();
     const auto made = std::make_shared<Run>(use->scene());
     made->tables = use->tables;
-    made->summary = driver::summary_text(use->scene(), use->state(), simulation.outcome(), {}, use->lines);
+    driver::RunOutcome outcome = simulation.outcome();
+    use->checks.note(outcome);
+    made->summary =
+        driver::summary_text(use->scene(), use->state(), outcome, use->checks.found(), use->lines);
     *run = keep(made);
   });
 }

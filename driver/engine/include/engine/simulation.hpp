@@ -11,6 +11,7 @@
 
 #include "engine/level_loop.hpp"
 #include "engine/run.hpp"
+#include "engine/stage_clock.hpp"
 
 namespace driver {
 
@@ -39,7 +40,7 @@ struct Moment {
   std::vector<Change> later;           // changes for the next level
   std::vector<Control> controls;       // values that were set, the last of each
   std::string failure;                 // of an earlier call; empty: none
-  double seconds = 0.0;                // [s] that the calls took
+  CallClock clock;                     // of the calls
 };
 
 /// A run in the hands of its caller, with the bits of run_scene() unless the caller changes something

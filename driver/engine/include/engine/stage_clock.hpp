@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 
 #include "engine/state.hpp"
@@ -48,6 +49,42 @@ class StageClock {
   bool one_thread_;
   double start_;  // [s]
   std::uint64_t start_ticks_;
+};
+
+/// CPU time of calls, of which the caller may make millions. As its clock takes as long as a small step, it
+/// is asked once in a millisecond of calls; what the caller works between them counts as theirs, but never
+/// more than the calls took.
+class CallClock {
+ public:
+  explicit CallClock(int threads) : threads_(threads), asked_(cpu_seconds(threads == 1)) {}
+
+  /// A call, as long as it lives. What it calls itself counts once.
+  class Call {
+   public:
+    explicit Call(CallClock& clock) : clock_(clock), start_(std::chrono::steady_clock::now()) {
+      ++clock.depth_;
+    }
+    ~Call() {
+      if (--clock_.depth_ == 0)
+        clock_.add(std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count());
+    }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+   private:
+    CallClock& clock_;
+    std::chrono::steady_clock::time_point start_;
+  };
+
+  double wall() const { return wall_; }  // [s] of all calls
+  double total() const;                  // [s] CPU time of them
+
+ private:
+  void add(double wall);
+
+  int threads_, depth_ = 0;
+  double asked_;                                     // [s] what the clock said when it was asked last
+  double wall_ = 0.0, known_ = 0.0, pending_ = 0.0;  // [s] known until then; wall time since then
 };
 
 }  // namespace driver

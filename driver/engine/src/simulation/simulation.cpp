@@ -32,7 +32,7 @@ void require_ahead(const State& state, double time) {
 }  // namespace
 
 Simulation::Simulation(std::shared_ptr<const Scene> scene, int threads)
-    : now_{scene, scene, make_state(*scene), false, {}, {}, {}, 0.0},
+    : now_{scene, scene, make_state(*scene), false, {}, {}, {}, CallClock(threads)},
       loop_(*scene),
       executor_(std::make_shared<const Executor>(threads)) {}
 
@@ -69,22 +69,20 @@ RunOutcome Simulation::outcome() const {
                    : ended() && now_.evaluated ? RunStatus::done
                                                : RunStatus::interrupted;
   outcome.message = now_.failure;
-  outcome.wall_seconds = now_.seconds;
-  outcome.cpu_seconds = now_.seconds;  // of one thread that nobody disturbs
+  outcome.wall_seconds = now_.clock.wall();
+  outcome.cpu_seconds = now_.clock.total();
   const auto& ticks = state().stage_ticks;
   const auto all = static_cast<double>(std::accumulate(ticks.begin(), ticks.end(), std::uint64_t{0}));
   for (std::size_t i = 0; i < ticks.size() && all > 0.0; ++i)
-    outcome.stage_seconds[i] = now_.seconds * static_cast<double>(ticks[i]) / all;
+    outcome.stage_seconds[i] = outcome.cpu_seconds * static_cast<double>(ticks[i]) / all;
   conclude(scene(), state(), outcome);
   return outcome;
 }
 
 void Simulation::guarded(const std::function<void()>& work) {
   if (!now_.failure.empty()) throw SimulationError("failed before: " + now_.failure);
-  const auto start = std::chrono::steady_clock::now();
   try {
     work();
-    now_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   } catch (const std::exception& error) {
     now_.failure = fmt::format("stage {} at {:.6g} s, step {}: {}", stage_name(state().stage), state().time,
                                state().steps, text_of(error));
@@ -94,6 +92,7 @@ void Simulation::guarded(const std::function<void()>& work) {
 
 void Simulation::evaluate() {
   if (now_.evaluated) return;
+  const CallClock::Call call(now_.clock);
   guarded([&] {
     loop_.evaluate(scene(), now_.state, *executor_, ended());
     if (ended()) loop_.complete_last(scene(), now_.state, *executor_);
@@ -118,11 +117,13 @@ void Simulation::step(long count) {
         "count: is {}, allowed: 0, as the scene is at its end, {:.6g} s; for more steps set a later "
         "scene.end_time at the start",
         count, state().time));
+  const CallClock::Call call(now_.clock);
   for (long i = 0; i < count && !ended(); ++i) step_once();
 }
 
 void Simulation::advance(double time, const std::function<bool()>& stop) {
   require_ahead(state(), time);
+  const CallClock::Call call(now_.clock);
   while (state().time < time && !ended() && !(stop && stop())) step_once();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/stage_clock.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 
@@ -18,6 +19,21 @@ std::uint64_t stage_ticks() {
 #else
   return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
 #endif
+}
+
+void CallClock::add(double wall) {
+  wall_ += wall;
+  pending_ += wall;
+  if (pending_ < 1e-3) return;
+  known_ = total();
+  pending_ = 0.0;
+  asked_ = cpu_seconds(threads_ == 1);
+}
+
+// Another thread has another clock, on which less time may have passed than none.
+double CallClock::total() const {
+  const double most = threads_ * pending_, passed = cpu_seconds(threads_ == 1) - asked_;
+  return known_ + (passed >= 0.0 ? std::min(passed, most) : most);
 }
 
 std::array<double, kStages> StageClock::seconds(const State& state) const {

@@ -23,6 +23,8 @@ struct SkinCheck {
 class SkinChecks {
  public:
   explicit SkinChecks(const Scene& scene);
+  /// Goes on as another one, of the same scene.
+  void go_on_as(const SkinChecks& other);
   /// For run_scene(); it refers to this object.
   LevelView view();
   /// In the order of time.
