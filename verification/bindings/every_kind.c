@@ -34,8 +34,18 @@ static void gas_and_tank(void) {
   check(gasjet_tank_create(gas, 2e5, 300.0, 0.06, 1e5, 1e-8, &tank), GASJET_OK);
   check(gasjet_tank_add_inflow(tank, gas, 2, time, flow, temperature, 0.0), GASJET_OK);
   check(gasjet_tank_add_vent(tank, 0.6, 1e-3, 0.0), GASJET_OK);
+  check(gasjet_tank_add_backflow(tank, 0, gas, 300.0), GASJET_OK);
+  check(gasjet_tank_add_backflow(tank, 1, gas, 300.0), GASJET_BAD_INPUT);
   check(gasjet_free(gas), GASJET_OK);
   check(gasjet_tank_advance(tank, 0.1, 0.06), GASJET_OK);
+  check(gasjet_tank_set_vent(tank, 0, 2e-3), GASJET_OK);
+  check(gasjet_tank_set_heat_loss(tank, 10.0, 300.0), GASJET_OK);
+  check(gasjet_tank_advance(tank, 0.2, 0.06), GASJET_OK);
+  char names[20];
+  int64_t size;
+  double mass[2], amount[2];
+  check(gasjet_tank_species(tank, names, sizeof names, &size), GASJET_OK);
+  check(gasjet_tank_masses(tank, mass, amount, 2), GASJET_OK);
   check(gasjet_tank_advance(tank, 0.1, 0.06), GASJET_BAD_INPUT);
   check(gasjet_free(tank), GASJET_OK);
 }
@@ -66,6 +76,40 @@ static void jet_and_surface(void) {
         GASJET_BAD_INPUT);
   check(gasjet_free(jet), GASJET_OK);
   check(gasjet_free(surface), GASJET_OK);
+}
+
+static void moved_jet(void) {
+  gasjet_handle jet;
+  gasjet_jet_model model;
+  double pressure[TRIANGLES], force[3], power;
+  float single[3 * NODES];
+  const double centre[] = {0.12, 0.1, 0.1}, axis[] = {1.0, 0.1, 0.0}, velocities[3 * NODES] = {0.0};
+  const uint8_t on[] = {1, 1, 0, 1};
+  const int32_t some[] = {3, 0}, twice[] = {3, 3};
+  for (int i = 0; i < 3 * NODES; ++i) single[i] = (float)nodes[i];
+  check(gasjet_jet_defaults(&model), GASJET_OK);
+  for (int i = 0; i < 3; ++i) model.centre[i] = 0.1, model.axis[i] = i == 0;
+  model.radius = 0.05;
+  model.decay_coefficient = 0.08;
+  check(gasjet_jet_create(&model, triangles, TRIANGLES, NULL, NODES, NULL, 0, NULL, 0, &jet), GASJET_OK);
+  for (int n = 1; n < 4; ++n) {
+    check(gasjet_jet_pressure_of(jet, nodes, NODES, NULL, velocities, NULL, 400.0, 1.0, 1, 1e-3 * n, some, 2,
+                                 pressure, 2, force, &power, NULL),
+          GASJET_OK);
+    check(gasjet_jet_place(jet, centre, axis, NULL), GASJET_OK);
+    check(gasjet_jet_pressure_float(jet, single, NODES, NULL, NULL, NULL, 400.0, 1.0, 1, NAN, NULL, 0,
+                                    pressure, TRIANGLES, force, NULL, NULL),
+          GASJET_OK);
+    check(gasjet_jet_set_elements(jet, on, TRIANGLES), GASJET_OK);
+    check(gasjet_jet_subdivide(jet, n), GASJET_OK);
+  }
+  check(gasjet_jet_pressure_of(jet, nodes, NODES, NULL, NULL, NULL, 400.0, 1.0, 1, NAN, twice, 2, pressure, 2,
+                               force, NULL, NULL),
+        GASJET_BAD_INPUT);
+  check(gasjet_jet_relative_to_skin(jet, 1), GASJET_OK);
+  check(gasjet_jet_pressure(jet, nodes, NODES, NULL, 400.0, 1.0, 1, NAN, pressure, TRIANGLES, force, NULL),
+        GASJET_BAD_INPUT);
+  check(gasjet_free(jet), GASJET_OK);
 }
 
 static void membrane_and_contact(void) {
@@ -166,13 +210,30 @@ static void run_and_closed_form(const char* file) {
   check(gasjet_exact_free(table), GASJET_OK);
 }
 
+static void simulation(const char* file) {
+  gasjet_handle sim, clone, run;
+  check(gasjet_sim_create(file, NULL, "scene.end_time=0.02", NULL, 1, &sim), GASJET_OK);
+  check(gasjet_sim_step(sim, 2), GASJET_OK);
+  check(gasjet_sim_set_vent(sim, 0, 1e-3), GASJET_OK);
+  check(gasjet_sim_set_vent(sim, 9, 1e-3), GASJET_BAD_INPUT);
+  check(gasjet_sim_clone(sim, &clone), GASJET_OK);
+  check(gasjet_sim_advance(sim, 0.01, 1, NULL, NULL), GASJET_OK);
+  check(gasjet_sim_assign(sim, clone), GASJET_OK);
+  check(gasjet_sim_results(sim, &run), GASJET_OK);
+  check(gasjet_free(run), GASJET_OK);
+  check(gasjet_free(clone), GASJET_OK);
+  check(gasjet_free(sim), GASJET_OK);
+}
+
 int main(int count, char** arguments) {
   if (count != 2) return 2;
   gas_and_tank();
   jet_and_surface();
+  moved_jet();
   membrane_and_contact();
   rigid_body();
   skin_contact();
   run_and_closed_form(arguments[1]);
+  simulation(arguments[1]);
   puts("an object of every kind was made and freed");
 }

@@ -53,7 +53,7 @@ TEST(close_set, nodes_are_each_listed_once_and_the_last_of_the_mesh_at_the_end) 
     const jet::OrderedMesh ordered(triangles);
     jet::CloseSet close;
     close.reserve(ordered, mesh.nodes.size());
-    close.choose({}, 1.0, {}, 0.0, 1.0, [&](const jet::OrderedMesh&, int* patches) {
+    close.choose({.from = 0.0, .until = 1.0}, [&](const jet::OrderedMesh&, int* patches) {
       for (int i = 0; i < ordered.patches; ++i) patches[i] = i;
       return ordered.patches;
     });

@@ -103,6 +103,33 @@ TEST(motion, what_flies_into_the_rays_is_seen_though_far_nodes_are_not_looked_at
   }
 }
 
+TEST(motion, what_an_outlet_flies_past_is_seen_though_far_nodes_are_not_looked_at) {
+  // The outlet moves and turns past a blade near by, in a bag so large that its rays hardly turn.
+  for (const bool line : {false, true}) {
+    Mesh mesh = scenes::scaled(scenes::star(3, 0.1, 41), 20.0);
+    const auto of_bag = static_cast<int>(mesh.elements.size());
+    Mesh blade = scenes::scaled(scenes::octahedron(), 0.2);
+    for (auto& p : blade.nodes) p += Eigen::Vector3d(0.05, 0.02, 0.4);
+    scenes::append(mesh, blade);
+    Carried carried(mesh);
+    scenes::Random random(42);
+    std::size_t most = 0, least = 1000;
+    for (int step = 0; step < 48; ++step) {
+      const Eigen::Vector3d centre(-0.4 + 0.02 * step, 0.0, -0.2), axis(3e-4 * step, 0.1, 1.0);
+      const auto source = line ? routes::line(centre, axis, {0, 1, 0}, 0.1) : routes::point(centre, axis);
+      const std::size_t before = carried.hidden;
+      auto candidates = routes::in_cone(mesh, source, 0.92);
+      std::erase_if(candidates, [&](int e) { return e >= of_bag; });
+      carried.step(mesh, source, candidates, 1e-4 * step);
+      most = std::max(most, carried.hidden - before);
+      least = std::min(least, carried.hidden - before);
+      for (auto& p : mesh.nodes) p += random.vector(5e-5);
+    }
+    EXPECT_GT(most, 3u) << "the blade must hide something";
+    EXPECT_EQ(least, 0u);
+  }
+}
+
 /// Nodes that a query refuses when they are no number any more, of every 37th.
 std::size_t refused(double displacement_bound, double before = 1e-3) {
   const Mesh mesh = scenes::star(4, 0.1, 43);

@@ -54,6 +54,7 @@ class AskedElements {
 
  private:
   void measure(const JetCall& call, const jet::Points& points, const jet::Subdivision* cut);
+  double reach() const;
 
   std::optional<std::vector<int>> list_;  // as it was asked
   std::vector<int> places_;               // in the list, of those that can take load
@@ -63,6 +64,12 @@ class AskedElements {
   std::optional<jet::JetField> field_;  // nothing if no element can take load
   jet::FieldState state_, whole_;       // of pieces, of elements if they have pieces
   Eigen::Matrix3Xd area_vectors_, velocities_, piece_area_vectors_, piece_velocities_, centroids_;
+  /// Largest distance [m] of a centroid from the outlet when it was last measured, with the nodes' bound and
+  /// the outlet's centre then.
+  struct Extent {
+    double farthest = 0.0, bound = 0.0;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  } extent_;
   std::vector<int> candidates_;  // of the query
   std::vector<std::uint8_t> lit_;
 };

@@ -71,8 +71,18 @@ bool AskedElements::serves(const JetCall& call) const {
 
 void AskedElements::place(const jet::JetModel& model) {
   if (!field_) return;
+  const double motion = jet::outlet_motion(field_->model(), model, reach());
   field_ = field_->placed(model.centre, model.axis, model.long_direction);
-  state_.displacement_bound = jet::kMotionUnknown;
+  if (motion < extent_.farthest)
+    state_.outline_motion += motion;
+  else
+    state_.displacement_bound = jet::kMotionUnknown;
+}
+
+// Bound of the distance [m] of the centroids from the outlet.
+double AskedElements::reach() const {
+  return extent_.farthest + (state_.displacement_bound - extent_.bound) +
+         (field_->model().centre - extent_.centre).norm();
 }
 
 void AskedElements::measure(const JetCall& call, const jet::Points& points, const jet::Subdivision* cut) {
@@ -99,6 +109,11 @@ void AskedElements::evaluate(const JetCall& call, const jet::Points& points, con
                              double restitution) {
   if (!field_) return;
   measure(call, points, cut);
+  if (!(reach() < 1.5 * extent_.farthest)) {
+    extent_.centre = field_->model().centre;
+    extent_.bound = call.displacement_bound;
+    extent_.farthest = (centroids_.colwise() - extent_.centre).colwise().norm().maxCoeff();
+  }
   state_.restitution = restitution;
   const jet::Points velocities(cut != nullptr ? piece_velocities_ : velocities_);
   field_->evaluate(cut != nullptr ? piece_area_vectors_ : area_vectors_, centroids_, call.outlet, state_,

@@ -59,6 +59,10 @@ struct JetModel {
 /// - a restitution, cut_off or angle out of range.
 JetModel validated(const JetModel& model);
 
+/// Bound [m] of the motion, seen from an outlet that goes from one place to another, of points that rest
+/// within `reach` [m] of its first centre. Both models come from validated().
+double outlet_motion(const JetModel& from, const JetModel& to, double reach);
+
 /// The model of a jet whose outlet has `area_ratio` > 0 times the area: a larger radius, or a larger short
 /// side. A cone begins wider by the same factor.
 JetModel widened(const JetModel& model, double area_ratio);

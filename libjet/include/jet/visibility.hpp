@@ -75,8 +75,8 @@ struct VisibilityCounters {
   VisibilityCounters& operator+=(const VisibilityCounters& other);  // adds the counters of another query
 };
 
-/// Visibility on a surface of fixed connectivity. It owns its workspace: use one object per thread. Data kept
-/// from earlier queries makes the next query faster and changes no mask.
+/// Visibility on a surface of fixed connectivity. It owns its workspace, which the first query allocates: use
+/// one object per thread. Data kept from earlier queries makes the next query faster and changes no mask.
 class VisibilityQuery {
  public:
   /// Throws std::invalid_argument for an empty mesh, a node index outside [0, node_count), and a role's
@@ -87,6 +87,9 @@ class VisibilityQuery {
   VisibilityQuery(VisibilityQuery&& other) noexcept;         // leaves `other` without a mesh
   VisibilityQuery& operator=(VisibilityQuery&& other) noexcept;  // likewise
   ~VisibilityQuery();                                            // frees its workspace
+
+  /// Allocates the workspace, so that queries do not.
+  void prepare();
 
   /// Answers from now on as a query on the mesh without these elements, which must not be candidates; an
   /// empty list brings all back. It drops data of earlier queries. Nodes of elements left out are still read
@@ -118,6 +121,7 @@ class VisibilityQuery {
   bool closed() const;
 
  private:
+  struct Mesh;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -95,6 +95,15 @@ JetModel validated(const JetModel& model) {
   return result;
 }
 
+// The outlet turns by the smallest rotation that does it: a round one by that of its axis.
+double outlet_motion(const JetModel& from, const JetModel& to, double reach) {
+  double turn = (to.axis - from.axis).squaredNorm();
+  if (from.shape == OutletShape::rectangular)
+    turn += (to.long_direction - from.long_direction).squaredNorm() +
+            (to.axis.cross(to.long_direction) - from.axis.cross(from.long_direction)).squaredNorm();
+  return (to.centre - from.centre).norm() + reach * std::sqrt(turn);
+}
+
 JetModel widened(const JetModel& model, double area_ratio) {
   JetModel result = model;
   const double larger = model.shape == OutletShape::round ? std::sqrt(area_ratio) : area_ratio;

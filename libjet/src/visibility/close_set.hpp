@@ -11,25 +11,29 @@
 #include "bits.hpp"
 #include "jet/visibility.hpp"
 #include "kernel_table.hpp"
+#include "visibility/frame.hpp"
 #include "visibility/mesh_order.hpp"
 
 namespace jet {
 
 /// Rays and motion for which a close set is valid.
 struct CloseRange {
-  RaySource source;
+  Frame frame{};
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // [m] of the source
+  double half_long = 0.0;                            // [m]
   double scale = 0.0;
+  double reach = 0.0;                                    // [m] of the nodes from the centre, while it holds
   Frustum bounds{};                                      // bounds of the rays
   double from = kMotionUnknown, until = kMotionUnknown;  // [m] displacement_bound
 
   /// False if no set was chosen: everything is close.
   bool any() const { return until >= from; }
-  /// True if it was chosen in the coordinates of these rays.
+  /// True if it was chosen for a source that this one may be, moved since.
   bool fits(const RaySource& other, double other_scale) const {
-    return any() && other_scale == scale && other.centre == source.centre && other.axis == source.axis &&
-           other.long_direction == source.long_direction && other.half_long == source.half_long;
+    return any() && other_scale == scale && other.half_long == half_long;
   }
-  /// True if it contains, at this displacement bound, all elements that rays within the bounds can meet.
+  /// True if it contains all elements that rays within the bounds can meet; the displacement bound counts the
+  /// motion of the frame.
   bool holds(double displacement_bound) const {
     return displacement_bound >= from && displacement_bound <= until;
   }
@@ -58,11 +62,10 @@ class CloseSet {
 
   const CloseRange& range() const { return range_; }
 
-  /// Stores the patches that `find` returns, for rays in the wide bounds and nodes within the reach.
+  /// Stores the patches that `find` returns.
   template <class Find>
-  void choose(const RaySource& source, double scale, const Frustum& wide, double displacement_bound,
-              double reach, Find find) {
-    range_ = {source, scale, wide, displacement_bound, displacement_bound + reach};
+  void choose(const CloseRange& range, Find find) {
+    range_ = range;
     std::fill(has_patch_.begin(), has_patch_.end(), std::uint8_t{0});
     patch_count_ = static_cast<std::size_t>(find(*mesh_, patches_.data()));
     list_nodes();

@@ -13,9 +13,10 @@ namespace jet {
 enum class Way { downstream, upstream };
 
 struct Frame {
-  Eigen::Vector3d across, along, forward;  // right-handed in this order: orientations keep their signs
-  bool line = false;                       // sources lie on a line, not in one point
-  bool usable = false;                     // the source has a frame
+  // Right-handed in this order: orientations keep their signs.
+  Eigen::Vector3d across = Eigen::Vector3d::Zero(), along = across, forward = across;
+  bool line = false;    // sources lie on a line, not in one point
+  bool usable = false;  // the source has a frame
   Way way = Way::downstream;
 
   /// Sets all members. The frame is not usable if the long direction is not a unit vector, or is along the
@@ -32,6 +33,15 @@ struct Frame {
     if (way == Way::upstream) forward = -forward;
     across = along.cross(forward);
     usable = true;
+  }
+
+  /// Bound [m] of the motion, seen from this frame at `centre`, of points within `reach` [m] of the centre of
+  /// another one, which moved here.
+  double motion_from(const Frame& other, const Eigen::Vector3d& other_centre, const Eigen::Vector3d& centre,
+                     double reach) const {
+    const double turn = (across - other.across).squaredNorm() + (along - other.along).squaredNorm() +
+                        (forward - other.forward).squaredNorm();
+    return (centre - other_centre).norm() + reach * std::sqrt(turn);
   }
 
   /// True if no ray reaches w <= 0. Then sources on the surface are moved upwards, and w is one coordinate of

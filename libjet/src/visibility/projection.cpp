@@ -57,7 +57,7 @@ void Projection::begin(const Surface& surface, const RaySource& source, std::spa
 // those whose range is not yet checked.
 void Projection::rescale() {
   check_nodes(surface_);
-  const double largest = std::max({extent(surface_, source_->centre), source_->half_long, 1e-150});
+  const double largest = std::max({extent(), source_->half_long, 1e-150});
   scale_ = std::ldexp(1.0, -std::ilogb(largest) - 2);
 }
 
@@ -82,6 +82,10 @@ void Projection::set_arrays() {
     const Eigen::Vector3d* const axes[] = {&frame_.across, &frame_.along, &frame_.forward};
     for (int j = 0; j < 3; ++j) arrays_.column[i][j] = scale_ * (*axes[j])[i];
   }
+}
+
+double Projection::extent() const {
+  return jet::extent(surface_, source_->centre);
 }
 
 Frustum Projection::bounds_of_candidates() const {

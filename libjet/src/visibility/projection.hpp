@@ -46,6 +46,8 @@ class Projection {
   void rescale();
   /// Uses the scale of the last query, or the new one. One of the functions below must be called next.
   void set_arrays();
+  /// [m] Largest distance of a node from the source's centre.
+  double extent() const;
   /// Bounds of the rays to the candidates.
   Frustum bounds_of_candidates() const;
   /// The half-spaces of the codes contain all rays in the bounds and all points within `reach` [m] of them.

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kMostUpstream = 64;  // for more rays a tree is faster
 constexpr double kStepsAhead = 6.0;        // close patches are chosen for this many steps of motion
-constexpr float kCloseShare = 0.05f;       // bounds are widened by this share of their range
+constexpr double kFastest = 0.02;     // step of the frame, over 2 to 4 extents: a faster one is a new frame
+constexpr float kCloseShare = 0.05f;  // bounds are widened by this share of their range
 
 // The slope is general, not symmetric, because bags are symmetric about the axis. Local coordinates of the
 // end are above 1.
@@ -54,21 +55,27 @@ void RayBundle::reserve(const OrderedMesh& mesh, std::size_t node_count, Way way
 }
 
 void RayBundle::move_to(double displacement_bound) {
-  motion_ = {displacement_bound, displacement_bound - motion_.bound};
+  motion_ = {displacement_bound, displacement_bound - motion_.bound, 0.0};
   if (!(motion_.step >= 0.0)) close_.forget();
 }
 
 void RayBundle::ask(const Surface& surface, const RaySource& source, std::span<const int> candidates) {
   asked_.ask(surface, source, candidates);
   projection_.begin(surface, source, candidates);
+  const Frame& frame = projection_.frame();
+  if (last_)
+    motion_.frame_step = frame.motion_from(last_->frame, last_->centre, source.centre, last_->extent);
+  if (last_ && motion_.frame_step > 0.0) last_->frame = frame, last_->centre = source.centre;
   upstream.clear();
 }
 
 bool RayBundle::project_chosen() {
   fresh_ = false;
   const CloseRange& range = close_.range();
-  if (!projection_.frame().usable || !range.fits(asked_.source(), projection_.scale()) ||
-      !range.holds(motion_.bound))
+  const RaySource& source = asked_.source();
+  const Frame& frame = projection_.frame();
+  if (!frame.usable || !range.fits(source, projection_.scale()) ||
+      !range.holds(motion_.bound + frame.motion_from(range.frame, range.centre, source.centre, range.reach)))
     return false;
   projection_.set_arrays();
   return project_close(range.bounds) && projection_.fits_range();
@@ -116,7 +123,7 @@ void RayBundle::do_without() {
 bool RayBundle::project_targets(bool rescaled) {
   close_.forget();
   bounds_ = projection_.bounds_of_candidates();
-  if (motion_.step >= 0.0)
+  if (motion_.step >= 0.0 && motion_.frame_step <= kFastest / projection_.scale())
     return choose_close(CloseRange::widened(bounds_, kCloseShare), rescaled) && project_close(bounds_);
   winding_ = winding_ray(projection_, asked_, bounds_);
   return projection_.project_nodes(bounds_, rescaled);
@@ -124,10 +131,13 @@ bool RayBundle::project_targets(bool rescaled) {
 
 // Chooses the patches that rays in these bounds can meet while nodes move by a reach.
 bool RayBundle::choose_close(const Frustum& wide, bool rescaled) {
-  const double reach = std::min(kStepsAhead * motion_.step,
+  const double reach = std::min(kStepsAhead * (motion_.step + motion_.frame_step),
                                 1.0 / projection_.scale());  // no coordinate exceeds 2, see places()
   if (!projection_.code_nodes(wide, reach, rescaled)) return false;
-  close_.choose(asked_.source(), projection_.scale(), wide, motion_.bound, reach,
+  const RaySource& source = asked_.source();
+  last_ = {projection_.frame(), source.centre, projection_.extent()};
+  close_.choose({last_->frame, source.centre, source.half_long, projection_.scale(), last_->extent + reach,
+                 wide, motion_.bound, motion_.bound + reach},
                 [&](const OrderedMesh& mesh, int* patches) {
                   return jet::find_patches(mesh, projection_.points(), kSides, patches);
                 });  // no floor: nodes may rise above it

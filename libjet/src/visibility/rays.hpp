@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,9 +64,16 @@ class RayBundle {
   std::vector<int> upstream;
 
  private:
-  /// Motion of the nodes [m]: the displacement bound, and its growth since the last query.
+  /// Motion of the nodes [m]: the displacement bound, and its growth since the last query. And that of the
+  /// frame, seen from which nodes move, since then.
   struct Motion {
-    double bound = kMotionUnknown, step = kMotionUnknown;
+    double bound = kMotionUnknown, step = kMotionUnknown, frame_step = 0.0;
+  };
+  /// The frame of the last query.
+  struct Place {
+    Frame frame;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    double extent = 0.0;  // [m] of nodes from there
   };
 
   bool project_targets(bool rescaled);
@@ -77,6 +85,7 @@ class RayBundle {
   Frustum bounds_{};  // of the rays
   WindingRay winding_;
   Motion motion_;
+  std::optional<Place> last_;
   CloseSet close_;
   bool fresh_ = false;
 };

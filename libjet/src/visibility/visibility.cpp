@@ -69,24 +69,17 @@ VisibilityCounters& VisibilityCounters::operator+=(const VisibilityCounters& oth
   return *this;
 }
 
-struct VisibilityQuery::Impl {
-  int node_count;  // nodes of the caller
-  bool whole_is_closed;
-  std::vector<std::array<int, 3>> triangles;  // they index `used` if there are unused nodes
-  std::vector<Role> given_roles;
-  std::vector<Role> roles;  // of the elements that are not left out
-  bool closed;
-  std::vector<int> used;  // nodes that elements use; empty if all are used
-  Eigen::Matrix3Xd copy;  // coordinates of the nodes in `used`
-  std::shared_ptr<const OrderedMesh> mesh;
-  BothWays fast;
+/// What queries on one mesh share.
+struct VisibilityQuery::Mesh {
+  int node_count = 0;  // nodes of the caller
+  bool closed = false;
+  std::vector<std::array<int, 3>> triangles{};  // they index `used` if there are unused nodes
+  std::vector<Role> roles{};
+  std::vector<int> used{};  // nodes that elements use; empty if all are used
+  std::shared_ptr<const OrderedMesh> order{};
 
   int count() const { return static_cast<int>(triangles.size()); }
   int used_count() const { return used.empty() ? node_count : static_cast<int>(used.size()); }
-  void prepare() {
-    fast = {};
-    fast.prepare(mesh, static_cast<std::size_t>(used_count()), closed);
-  }
 
   /// Renumbers the triangles if some nodes belong to no element, so that these are never read.
   void leave_out_unused() {
@@ -100,22 +93,38 @@ struct VisibilityQuery::Impl {
     if (static_cast<int>(used.size()) == node_count) return used.clear();
     for (Triangle& t : triangles)
       for (int& node : t) node = number[static_cast<std::size_t>(node)];
-    copy.resize(3, used_count());
+  }
+  static void assign(std::vector<Role>& roles, std::span<const int> elements, const char* name, Role role) {
+    for (const int e : elements) {
+      require_index(name, e, static_cast<int>(roles.size()));
+      roles[static_cast<std::size_t>(e)] = role;
+    }
+  }
+};
+
+struct VisibilityQuery::Impl {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const std::vector<Role>> roles;  // of the elements that are not left out
+  bool closed;
+  std::optional<BothWays> fast{};  // workspace, made by the first query
+  Eigen::Matrix3Xd copy{};         // coordinates of the nodes in use, if others are not
+
+  int count() const { return mesh->count(); }
+  void prepare() {
+    if (fast) return;
+    fast.emplace();
+    fast->prepare(mesh->order, static_cast<std::size_t>(mesh->used_count()), closed);
+    if (!mesh->used.empty()) copy.resize(3, mesh->used_count());
   }
 
   Surface surface(const Points& nodes) {
-    Surface all{nodes.data(), nodes.outerStride(), triangles.data(), roles.data(), count(), used_count()};
+    const std::vector<int>& used = mesh->used;
+    Surface all{nodes.data(), nodes.outerStride(), mesh->triangles.data(), roles->data(),
+                count(),      mesh->used_count()};
     if (used.empty()) return all;
-    for (int i = 0; i < used_count(); ++i) copy.col(i) = nodes.col(used[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < mesh->used_count(); ++i) copy.col(i) = nodes.col(used[static_cast<std::size_t>(i)]);
     all.nodes = copy.data(), all.stride = 3, all.names = used.data();
     return all;
-  }
-
-  void assign(std::span<const int> elements, const char* name, Role role) {
-    for (const int e : elements) {
-      require_index(name, e, count());
-      roles[static_cast<std::size_t>(e)] = role;
-    }
   }
 
   /// The routes check the nodes' coordinates.
@@ -126,44 +135,31 @@ struct VisibilityQuery::Impl {
     for (const int e : candidates) signs |= static_cast<unsigned>(e) | (last - static_cast<unsigned>(e));
     for (std::size_t k = 0; signs >> 31 != 0 && k < candidates.size(); ++k)
       require_index("candidate", candidates[k], count());
-    if (nodes.cols() != node_count)
+    if (nodes.cols() != mesh->node_count)
       refuse("nodes has " + std::to_string(nodes.cols()) +
-             " columns, allowed: " + std::to_string(node_count));
+             " columns, allowed: " + std::to_string(mesh->node_count));
   }
 };
 
-VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, const SurfaceRoles& roles)
-    : impl_(std::make_unique<Impl>()) {
+VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, const SurfaceRoles& roles) {
   if (triangles.cols() == 0) refuse("mesh has no element, allowed: 1 or more");
-  impl_->node_count = node_count;
+  const auto mesh = std::make_shared<Mesh>();
+  mesh->node_count = node_count;
   for (Eigen::Index e = 0; e < triangles.cols(); ++e) {
     for (int i = 0; i < 3; ++i) require_index("node index", triangles(i, e), node_count);
-    impl_->triangles.push_back({triangles(0, e), triangles(1, e), triangles(2, e)});
+    mesh->triangles.push_back({triangles(0, e), triangles(1, e), triangles(2, e)});
   }
-  impl_->roles.assign(impl_->triangles.size(), Role::fabric);
-  impl_->assign(roles.attachment_elements, "attachment element", Role::attachment);
-  impl_->assign(roles.null_elements, "null element", Role::null_panel);
-  impl_->leave_out_unused();
-  impl_->given_roles = impl_->roles;
-  impl_->closed = impl_->whole_is_closed = is_closed(impl_->triangles);
-  impl_->mesh = std::make_shared<const OrderedMesh>(impl_->triangles);
-  impl_->prepare();
+  mesh->roles.assign(mesh->triangles.size(), Role::fabric);
+  Mesh::assign(mesh->roles, roles.attachment_elements, "attachment element", Role::attachment);
+  Mesh::assign(mesh->roles, roles.null_elements, "null element", Role::null_panel);
+  mesh->leave_out_unused();
+  mesh->closed = is_closed(mesh->triangles);
+  mesh->order = std::make_shared<const OrderedMesh>(mesh->triangles);
+  impl_ = std::make_unique<Impl>(Impl{mesh, {mesh, &mesh->roles}, mesh->closed});
 }
 
-VisibilityQuery::VisibilityQuery(const VisibilityQuery& other) {
-  const Impl& i = *other.impl_;
-  impl_ = std::make_unique<Impl>(Impl{i.node_count,
-                                      i.whole_is_closed,
-                                      i.triangles,
-                                      i.given_roles,
-                                      i.roles,
-                                      i.closed,
-                                      i.used,
-                                      i.copy,
-                                      i.mesh,
-                                      {}});
-  impl_->prepare();
-}
+VisibilityQuery::VisibilityQuery(const VisibilityQuery& other)
+    : impl_(std::make_unique<Impl>(Impl{other.impl_->mesh, other.impl_->roles, other.impl_->closed})) {}
 VisibilityQuery& VisibilityQuery::operator=(const VisibilityQuery& other) {
   return *this = VisibilityQuery(other);
 }
@@ -171,12 +167,17 @@ VisibilityQuery::~VisibilityQuery() = default;
 VisibilityQuery::VisibilityQuery(VisibilityQuery&&) noexcept = default;
 VisibilityQuery& VisibilityQuery::operator=(VisibilityQuery&&) noexcept = default;
 
+void VisibilityQuery::prepare() {
+  impl_->prepare();
+}
+
 void VisibilityQuery::leave_out(std::span<const int> elements) {
   for (const int e : elements) require_index("element left out", e, impl_->count());
-  impl_->roles = impl_->given_roles;
-  impl_->assign(elements, "element left out", Role::absent);
-  impl_->closed = impl_->whole_is_closed && elements.empty();
-  impl_->prepare();
+  auto roles = impl_->mesh->roles;
+  Mesh::assign(roles, elements, "element left out", Role::absent);
+  impl_->roles = std::make_shared<const std::vector<Role>>(std::move(roles));
+  impl_->closed = impl_->mesh->closed && elements.empty();
+  impl_->fast.reset();
 }
 
 int VisibilityQuery::element_count() const {
@@ -189,7 +190,8 @@ bool VisibilityQuery::closed() const {
 VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& nodes, const RaySource& source,
                                           std::span<const int> candidates, std::span<std::uint8_t> lit,
                                           double displacement_bound) {
-  impl_->fast.move_to(displacement_bound);  // for every route, even if the input is then refused
+  impl_->prepare();
+  impl_->fast->move_to(displacement_bound);  // for every route, even if the input is then refused
   impl_->check(nodes, source, candidates);
   if (lit.size() != candidates.size()) refuse("lit and candidates differ in size");
   if (!has_route(route)) refuse("route cgal_tree is not part of this program, allowed: fast, brute_force");
@@ -205,7 +207,7 @@ VisibilityCounters VisibilityQuery::query(VisibilityRoute route, const Points& n
     case VisibilityRoute::fast:
       break;
   }
-  return impl_->fast.query(surface, source, candidates, lit);
+  return impl_->fast->query(surface, source, candidates, lit);
 }
 
 std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& nodes, const RaySource& source,
@@ -213,6 +215,7 @@ std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& n
   impl_->check(nodes, source, candidates);
   std::vector<std::optional<int>> numbers(candidates.size());
   if (!impl_->closed) return numbers;
+  impl_->prepare();
   const Surface surface = impl_->surface(nodes);
   check_nodes(surface);
   const winding::Box box = winding::bounding_box(surface);

@@ -79,7 +79,10 @@ JetRun start_jet(const JetPart& part, const Eigen::Matrix3Xi& triangles) {
 
 void start_jets(const Scene& scene, State& state) {
   const auto& triangles = scene.bag ? scene.bag->mesh.elements : scene.target->triangles;
-  for (const JetPart& part : scene.jets) state.jets.push_back(start_jet(part, triangles));
+  for (const JetPart& part : scene.jets) {
+    state.jets.push_back(start_jet(part, triangles));
+    state.jets.back().query.prepare();  // steps do not allocate
+  }
   state.jet_loads.reserve(scene.jets.size());
 }
 
