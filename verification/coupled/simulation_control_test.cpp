@@ -201,6 +201,27 @@ TEST(simulation, what_the_caller_sets_is_in_the_balance) {
       simulation.state().flows.mass_in, 0.04 * (1.0 - std::cos(2.0)), 5e-3);
 }
 
+// An outlet that its module pulls out of the bag, by jumps and step by step; the next step's bits are those
+// of the last place that was accepted.
+TEST(simulation, outlets_outside_the_bag_are_refused) {
+  Simulation simulation = simulation_of("passenger_sharp", {"scene.end_time=0.001"});
+  const jet::JetModel jet = simulation.scene().jets[0].field.model();
+  const auto moved = [&](double way) {
+    return refusal([&] { set_outlet(simulation, 0, jet.centre + way * jet.axis, jet.axis); });
+  };
+  for (const double way : {-0.5, -0.05, 5.0})
+    EXPECT_EQ(moved(way).rfind("centre: the outlet's point [", 0), 0u) << moved(way);
+  EXPECT_NE(moved(-0.05).find("m is outside the bag; allowed: an outlet inside it"), std::string::npos);
+  EXPECT_NE(moved(-0.05).find("moved 0.05"), std::string::npos) << moved(-0.05);
+  EXPECT_EQ(moved(0.02), "accepted");
+  EXPECT_EQ((simulation.scene().jets[0].field.model().centre - jet.centre).norm(), 0.02);
+  double way = 0.0;
+  while (moved(way) == "accepted" && way > -1.0) way -= 1e-3;
+  EXPECT_GT(way, -0.1 * jet.short_side - 2e-3);
+  EXPECT_NE(refusal([&] { set_outlet(simulation, 0, jet.centre, -jet.axis); }).find("is outside the bag"),
+            std::string::npos);
+}
+
 TEST(simulation, external_sensor_opens_a_vent) {
   const Overrides overrides{"sensor=[{name=\"controller\",external=true}]", "unset trigger", "unset inflator",
                             "vent=[{area=1e-3,discharge_coefficient=0.6,trigger=\"controller\"}]",
@@ -242,47 +263,6 @@ TEST(simulation, names_what_is_wrong) {
   expect(refusal([&] { set_impactor(simulation, {}); }), "evaluated");
   simulation.advance(1.0);
   expect(refusal([&] { simulation.step(); }), "at its end");
-}
-
-// A guided mass of the caller strikes a free ball; the two exchange place and force every `interval`. Its
-// displacement after 20 ms.
-double exchanged(double interval) {
-  constexpr double end = 0.02, mass = 1.0;
-  Simulation simulation = simulation_of(
-      "ball_impact",
-      {"unset pendulum", "impactor.centre=[-0.16,0,0]", "impactor.shape.type=sphere",
-       "impactor.shape.radius=0.041", "impactor.motion.type=rail", "impactor.motion.direction=[1,0,0]",
-       "impactor.motion.mass=1", "impactor.motion.velocity=2", "contact.stiffness_share=0.02",
-       "contact.friction=0", "scene.end_time=0.03"});
-  driver::ImpactorPlace place{{-0.16, 0.0, 0.0}, Eigen::Matrix3d::Identity(), {2.0, 0.0, 0.0}};
-  set_impactor(simulation, place);
-  meet_every(simulation, interval);
-  for (int k = 0; k < static_cast<int>(std::lround(end / interval)); ++k) {
-    simulation.evaluate();
-    place.velocity.x() += (k == 0 ? 0.5 : 1.0) * interval / mass * simulation.state().contact.force.x();
-    set_impactor_speed(simulation, place.velocity, Vector3d::Zero());
-    simulation.advance(interval * (k + 1 - 1e-9));
-    place.centre += interval * place.velocity;
-    set_impactor(simulation, place);
-  }
-  simulation.evaluate();
-  EXPECT_LT(drift(simulation), 1e-3);
-  return place.centre.x() + 0.16;
-}
-
-// The force is met at the exchanges and the path is straight between them: a central difference of the
-// caller's body, with the interval as its step. Where contact begins its error jumps, so its order is that
-// over all intervals.
-TEST(simulation, exchange_at_intervals_is_of_second_order) {
-  const double exact = exchanged(1.0 / 64000.0);
-  std::vector<double> logarithms;
-  for (const double interval : {1e-3, 5e-4, 2.5e-4, 1.25e-4})
-    logarithms.push_back(std::log2(std::abs(exchanged(interval) - exact)));
-  EXPECT_LT(logarithms[0], std::log2(1e-3));
-  const double order = (3.0 * (logarithms[0] - logarithms[3]) + logarithms[1] - logarithms[2]) / 10.0;
-  claim::expect_near({"K.53", "own impactor that exchanges at intervals: order in them",
-                      "2, with the kink of the contact's onset: 0.3"},
-                     order, 2.0, 0.3);
 }
 
 }  // namespace
