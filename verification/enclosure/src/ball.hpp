@@ -127,4 +127,11 @@ inline Ball exact_sum(const Ball& a, const Ball& b) {
   return c;
 }
 
+/// Difference of exact numbers, exact.
+inline Ball exact_difference(const Ball& a, const Ball& b) {
+  Ball c;
+  arf_sub(arb_midref(c.get()), arb_midref(a.get()), arb_midref(b.get()), ARF_PREC_EXACT, ARF_RND_DOWN);
+  return c;
+}
+
 }  // namespace enclosure

@@ -9,7 +9,8 @@ namespace enclosure {
 namespace {
 
 /// Encloses the T of every u in the ball, by the interval Newton method (R. E. Moore, "Interval Analysis",
-/// 1966, ch. 7): u(T) rises, so T lies in middle + (u - u(middle))/u'(guess) if that lies in the guess.
+/// 1966, ch. 7): u(T) rises, so T lies in middle + (u - u(middle))/u'(guess) if that lies in the guess. Not
+/// finite if it cannot.
 Ball temperature_on(const Balls& u_of_t, const Ball& u) {
   Balls slope;
   for (std::size_t j = 1; j < u_of_t.size(); ++j) slope.push_back(u_of_t[j] * Ball(static_cast<double>(j)));
@@ -21,7 +22,9 @@ Ball temperature_on(const Balls& u_of_t, const Ball& u) {
     const Ball guess = wider(t, reach), improved = t + residual / polynomial(slope, guess);
     if (guess.contains(improved)) return improved;
   }
-  throw Refusal("the temperature of an energy cannot be enclosed");
+  Ball unknown;
+  arb_indeterminate(unknown.get());
+  return unknown;
 }
 
 Ball at_most(const Ball& a, double limit) {
@@ -103,7 +106,7 @@ Ball Walk::temperature_of(const Balls& box, const Ball& energy) const {
 /// 1988, ch. 2, theorem 1).
 std::optional<Crossing> Walk::crossing(const Ball& end) {
   const Span span{time_, end};
-  const Ball length = exact_sum(end, Ball(0.0) - time_), all = hull(Ball(0.0), length);
+  const Ball length = exact_difference(end, time_), all = hull(Ball(0.0), length);
   const Balls box = set_.box();
   const std::vector<double> scale = scales(box);
   Balls reached = box;
@@ -137,11 +140,11 @@ std::optional<Crossing> Walk::crossing(const Ball& end) {
     bool proved = true;
     for (std::size_t i = 0; i < unknowns_; ++i) proved = proved && reached[i].contains(next[i]);
     if (proved) {
-      for (std::size_t i = 0; i < box.size(); ++i)
-        result.width = std::max(
-            result.width,
-            (result.at_joint && i == 1 ? result.end[1].radius() - box[1].radius() : result.step[i].radius()) /
-                scale[i]);
+      for (std::size_t i = 0; i < box.size(); ++i) {
+        const double added =
+            result.at_joint && i == 1 ? result.end[1].radius() - box[1].radius() : result.step[i].radius();
+        result.width = std::max(result.width, added / std::max(scale[i], 0.1 * box[i].radius() / tolerance_));
+      }
       const Sides after = sides(result.end, {end, end});
       result.decided = std::find(after.begin(), after.end(), 0) == after.end();
       return result;
@@ -187,43 +190,6 @@ bool Walk::cross(const Ball& first, const Ball& end) {
   return true;
 }
 
-/// False if until `end` nothing flows in, the walls take no heat and the volume is still.
-bool Walk::is_fed(const Ball& end) const {
-  const Span span{time_, end};
-  const Scene& s = tank_.scene;
-  if (s.wall_conductance > 0.0 || s.wave || tank_.has_backflow) return true;
-  const arb_ptr c = _arb_vec_init(2);
-  tank_.volumes[0].series(span, Mode::series, c, 2);
-  bool fed = !arb_is_zero(c + 1);
-  for (const InflowFunctions& inflow : tank_.inflows) {
-    inflow.flow.series(span, Mode::series, c, 2);
-    fed = fed || !arb_is_zero(c) || !arb_is_zero(c + 1);
-  }
-  _arb_vec_clear(c, 2);
-  return fed;
-}
-
-/// Rest at ambient pressure. If nothing feeds the gas, it leaves while p > p_a, which lowers p, and never
-/// passes p_a. On the way its state follows d ln m = d ln p/gamma, d ln T = (1 - 1/gamma) d ln p, gamma > 1
-/// (the isentrope, whatever the law of the flow): with q = p_a/p <= 1 at the begin, mass and temperature stay
-/// within [q, 1] of theirs.
-bool Walk::rest(const Ball& end) {
-  if (is_fed(end) || tank_.scene.ambient_pressure == 0.0) return false;
-  const Ball one(1.0);
-  const Ball q = hull(one, Ball(tank_.scene.ambient_pressure) / values()[0]), left = hull(Ball(0.0), one - q);
-  if (!(q.radius() <= 1e3 * tolerance_)) return false;
-  Balls box = set_.box();
-  const Ball mass = box[0];
-  box[0] = mass * q;
-  box[1] = box[1] * q;
-  const std::size_t in = tank_.inflows.size(), out = tank_.scene.holes.size() + tank_.scene.fabrics.size();
-  for (std::size_t j = in; j < in + out; ++j) box[unknowns_ + j] = box[unknowns_ + j] + mass * left;
-  set_ = MovingSet(box);
-  time_ = end;
-  ++crossings;
-  return true;
-}
-
 void Walk::cross_to(const Ball& end) {
   const std::optional<Crossing> whole = crossing(end);
   if (!whole) throw Refusal("a change at an uncertain time cannot be crossed: its time is too uncertain");
@@ -232,16 +198,10 @@ void Walk::cross_to(const Ball& end) {
 
 Balls Walk::values() {
   const Balls box = set_.box();
-  Balls result(2);
-  bool first = true;
-  for (const Regime& regime : regimes(sides(box, {time_, time_}))) {
-    Work& w = work(regime);
-    w.across.run(core(box), {time_, time_}, Mode::across);
-    const Ball p = w.across.value(w.law.pressure);
-    result[0] = first ? p : hull(result[0], p);
-    result[1] = w.across.value(w.law.volume);
-    first = false;
-  }
+  const Span now{time_, time_};
+  Work& w = work(regime(sides(box, now)));  // p and V are the same in all
+  w.across.run(core(box), now, Mode::across);
+  Balls result{w.across.value(w.law.pressure), w.across.value(w.law.volume)};
   result.insert(result.begin() + 1, box[1]);
   result.push_back(box[0]);
   Ball last(1.0);

@@ -115,7 +115,7 @@ Law::Gas Law::gas(const Regime& regime) {
     return [this, order](const Span& span, Mode mode, arb_ptr c, slong count) {
       const arb_ptr v = _arb_vec_init(count + order);
       tank_.scene.wave ? wave_series(*tank_.scene.wave, span, v, count + order)
-                       : tank_.volumes[0].series(span, order ? Mode::series : mode, v, count + order);
+                       : tank_.volumes[0].series(span, mode, v, count + order);
       for (slong k = 0; k < count; ++k)
         arb_mul_ui(c + k, v + k + order, order ? static_cast<ulong>(k) + 1 : 1, bits);
       _arb_vec_clear(v, count + order);

@@ -95,6 +95,16 @@ static Start evacuated(const Tank& tank) {
   }
   if (!mass.is_positive()) throw Refusal("what first flows into the evacuated tank is too little to enclose");
   start.unknowns = {mass, energy / heat};
+  Ball pressure, volume;
+  for (std::size_t k = 0; k < tank.species(); ++k)
+    pressure = pressure + masses[k] * tank.gas_constants[k] * start.unknowns[1];
+  tank.volumes[0].series({start.time, start.time}, Mode::series, volume.get(), 1);
+  bool simple = (Ball(s.ambient_pressure) * volume - pressure).is_positive();
+  for (const Ball& t : tank.breaks())
+    simple = simple && !((t - start.empty_until).is_positive() && (start.time - t).is_positive());
+  if (!simple)
+    throw Refusal(
+        "what flows into the evacuated tank changes, or fills it, within a picosecond of its begin");
   for (std::size_t k = 0; k + 1 < tank.species(); ++k) start.unknowns.push_back(masses[k] / mass);
   start.unknowns.insert(start.unknowns.end(), streams.begin(), streams.end());
   return start;

@@ -26,6 +26,11 @@ void check_curve(const Curve& curve, const std::string& name, bool may_jump) {
   }
 }
 
+void check_not_negative(const Curve& curve, const std::string& name, bool may_jump) {
+  check_curve(curve, name, may_jump);
+  for (const Knot& knot : curve) require(knot.value >= 0.0, name + " is negative");
+}
+
 void check_fractions(const std::vector<double>& fractions, std::size_t count, const std::string& name) {
   require(fractions.size() == count, name + " needs one mass fraction per species");
   double sum = 0.0;
@@ -40,14 +45,14 @@ void check_openings(const Scene& s) {
   for (const Hole& hole : s.holes) {
     require(hole.discharge_coefficient >= 0.0, "a discharge coefficient is negative");
     if (hole.area_of_overpressure)
-      check_curve(*hole.area_of_overpressure, "the area of a hole over pressure", false);
+      check_not_negative(*hole.area_of_overpressure, "the area of a hole over pressure", false);
     else
-      check_curve(hole.area, "the area of a hole", true);
+      check_not_negative(hole.area, "the area of a hole", true);
     if (hole.backflow) check_fractions(s.ambient_fractions, s.species.size(), "the ambient gas");
   }
   for (const Fabric& fabric : s.fabrics) {
     require(fabric.coefficient >= 0.0, "the area of a fabric is negative");
-    if (fabric.velocity) check_curve(*fabric.velocity, "the velocity through a fabric", false);
+    if (fabric.velocity) check_not_negative(*fabric.velocity, "the velocity through a fabric", false);
   }
 }
 
@@ -64,9 +69,8 @@ void check(const Scene& s) {
   if (!s.wave) check_curve(s.volume, "the volume", false);
   for (const Inflator& inflator : s.inflators) {
     check_fractions(inflator.mass_fractions, s.species.size(), "an inflator");
-    check_curve(inflator.mass_flow, "a mass flow", true);
+    check_not_negative(inflator.mass_flow, "a mass flow", true);
     check_curve(inflator.temperature, "the temperature of an inflator", true);
-    for (const Knot& knot : inflator.mass_flow) require(knot.value >= 0.0, "a mass flow is negative");
     require(inflator.mass_flow.size() == 1 || inflator.mass_flow.front().at >= 0.0,
             "a mass flow begins before its inflator fires");
   }
@@ -77,12 +81,18 @@ void check(const Scene& s) {
 
 Balls Tank::enthalpy(const std::vector<double>& fractions, bool high) const {
   Balls c(6);
+  const Ball joint(joint_temperature);
   for (std::size_t k = 0; k < species(); ++k) {
-    const auto& a = high ? scene.species[k].high : scene.species[k].low;
+    const auto powers = [&](const std::array<double, 6>& a) {
+      Balls h{Ball(a[5])};
+      for (std::size_t j = 0; j < 5; ++j) h.push_back(Ball(a[j]) / Ball(static_cast<double>(j + 1)));
+      return h;
+    };
+    const Balls h = powers(high ? scene.species[k].high : scene.species[k].low);
+    const Ball zero = polynomial(powers(scene.species[k].low), joint) - joint;
     const Ball factor = Ball(fractions[k]) * gas_constants[k];
-    c[0] = c[0] + factor * Ball(a[5]);
-    for (std::size_t j = 0; j < 5; ++j)
-      c[j + 1] = c[j + 1] + factor * Ball(a[j]) / Ball(static_cast<double>(j + 1));
+    for (std::size_t j = 0; j < 6; ++j) c[j] = c[j] + factor * h[j];
+    if (!constant_cp) c[0] = c[0] - factor * zero;
   }
   if (constant_cp) c.resize(2);
   return c;

@@ -37,6 +37,8 @@ struct Tank {
 
   std::size_t species() const { return scene.species.size(); }
   /// Powers of T of the enthalpy or the internal energy [J/kg] of a mixture, (G.2) and (G.4); of T = 0 first.
+  /// Of gases with two ranges the energies of each species are counted from that of the lower one at 1000 K:
+  /// there the error of the mass does not count.
   Balls enthalpy(const std::vector<double>& fractions, bool high) const;
   Balls internal_energy(const std::vector<double>& fractions, bool high) const;
   /// Times at which a function of time changes its formula.

@@ -15,10 +15,11 @@ struct Span {
   Ball ball() const { return hull(begin, end); }
 };
 
-/// What is asked for over a span: Taylor coefficients, within one formula of the law; or coefficient 0 alone,
-/// across switches of the law and breaks of functions of time: its range, or with the mean of each inflow in
-/// place of its range. Rates are linear in the inflows, which are not negative, so that step times rate then
-/// still encloses the integral of the rate (mean value theorem of integrals).
+/// What is asked for over a span: Taylor coefficients, within one formula of the law; or coefficient 0 of the
+/// rates, across switches of the law and breaks of functions of time: its range, or with the mean of each
+/// inflow in place of its range. Rates are linear in the inflows, which are not negative, with factors that
+/// no switch changes (but at 1000 K, where T is not asked for), so that step times rate then still encloses
+/// the integral of the rate (mean value theorem of integrals).
 enum class Mode { series, across, across_mean };
 
 /// Writes coefficients 0 to n-1 of a function of time, which enclose those at every time of the span.

@@ -89,10 +89,11 @@ Ball Piecewise::mean(const Span& span) const {
 }
 
 void Piecewise::series(const Span& span, Mode mode, arb_ptr coefficients, slong n) const {
-  if (mode == Mode::series) {
+  if (mode == Mode::series || !less(span.begin, span.end)) {
     evaluate(pieces_[piece_after(span.begin)], span.ball(), coefficients, n);
     return;
   }
+  const arb_ptr piece = _arb_vec_init(n);
   bool found = false;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     Ball t = span.ball();
@@ -104,17 +105,13 @@ void Piecewise::series(const Span& span, Mode mode, arb_ptr coefficients, slong 
       if (!less(span.begin, upper(breaks_[i]))) continue;
       arb_min(t.get(), t.get(), breaks_[i].get(), bits);
     }
-    Ball value;
-    evaluate(pieces_[i], t, value.get(), 1);
-    if (found)
-      value = hull(value, [&] {
-        Ball c;
-        arb_set(c.get(), coefficients);
-        return c;
-      }());
-    arb_set(coefficients, value.get());
+    evaluate(pieces_[i], t, piece, n);
+    for (slong k = 0; k < n; ++k)
+      found ? arb_union(coefficients + k, coefficients + k, piece + k, bits)
+            : arb_set(coefficients + k, piece + k);
     found = true;
   }
+  _arb_vec_clear(piece, n);
 }
 
 Piecewise Piecewise::through(const Balls& below, const Balls& above, double joint) const {

@@ -251,7 +251,7 @@ bool Walk::taylor(const Regime& regime, const Ball& end) {
   }
   for (int tries = 0; tries < 200 && length.is_positive(); ++tries) {
     const bool last = arf_cmp(arb_midref(exact_sum(time_, length).get()), arb_midref(end.get())) >= 0;
-    if (last) length = exact_sum(end, Ball(0.0) - time_);
+    if (last) length = exact_difference(end, time_);
     if (!try_length(w, regime, length)) continue;
     if (!last) last_length_ = length;
     return true;
@@ -271,7 +271,7 @@ void Walk::step(const Ball& end) {
     undecided_ = 0;
     return;
   }
-  if (!decided && rest(end)) return;
+  if (!decided && rest(now, end)) return;
   if (++undecided_ < 100 && cross((end - time_) * Ball(0x1p-80), end)) return;
   char text[200];
   std::snprintf(text, sizeof text,

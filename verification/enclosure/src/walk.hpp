@@ -16,7 +16,7 @@ namespace enclosure {
 struct Crossing {
   Balls end;              // unknowns at its end, as a box
   Balls step;             // what was added to the unknowns and stream totals
-  double width = 0.0;     // [-] largest width added
+  double width = 0.0;     // [-] largest width added; up to a tenth of the set's it counts as the tolerance
   bool decided = false;   // every surface has a side at the end
   bool at_joint = false;  // the temperature comes from the energy
 };
@@ -64,7 +64,8 @@ class Walk {
   Ball temperature_of(const Balls& box, const Ball& energy) const;
   bool cross(const Ball& first, const Ball& end);
   bool is_fed(const Ball& end) const;
-  bool rest(const Ball& end);
+  std::optional<Balls> lifted(const Balls& box, bool high, Ball& inflow);
+  bool rest(const Sides& now, const Ball& end);
   void apply(const Crossing& crossing, const Ball& end);
 
   const Tank& tank_;

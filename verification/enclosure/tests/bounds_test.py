@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs of the shipped tanks against their proved bounds, and `gasjet compare --enclosure`."""
 
-import csv
 import os
 import subprocess
 
@@ -88,8 +87,3 @@ def test_refuses_what_are_no_bounds(tmp_path):
         assert done.returncode == 2 and said in done.stderr, done.stdout + done.stderr
     done = judge(mine, bounds(tmp_path), "--columns", "volume_m3")
     assert done.returncode == 2 and "is no column of the enclosure" in done.stderr
-
-
-def read(text):
-    lines = [line for line in text.splitlines() if not line.startswith("#")]
-    return list(csv.DictReader(lines))

@@ -53,6 +53,9 @@ inline void expect_contains(const enclosure::Tube& tube, const std::string& name
   EXPECT_FALSE((exact - b.upper).is_positive())
       << name << ": " << text(exact) << " is above " << text(b.upper);
   EXPECT_LE((b.upper - b.lower).middle(), width * std::abs(exact.middle())) << name;
+  const enclosure::Bounds& doubles = tube.moments.back().bounds.at(column(tube, name));
+  EXPECT_FALSE((Ball(doubles.lower) - exact).is_positive() || (exact - Ball(doubles.upper)).is_positive())
+      << name;
 }
 
 inline Ball pow(const Ball& x, const Ball& y) {

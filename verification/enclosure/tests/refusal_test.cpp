@@ -32,6 +32,16 @@ TEST(enclosure_refuses, bad_input) {
   expect_refused<std::invalid_argument>(good, "the times need to be 0 or later", -1.0);
 }
 
+TEST(enclosure_refuses, what_the_proof_needs_otherwise) {
+  Draw draw(1);
+  Scene s = tank(draw);
+  s.holes = {{.area = {{0.0, -1e-3}}}};
+  expect_refused<std::invalid_argument>(s, "the area of a hole is negative");
+  s.holes.clear();
+  s.species = {gas(0.028, 0.5)};
+  expect_refused<enclosure::Refusal>(s, "cp of gas is not above its gas constant");
+}
+
 TEST(enclosure_refuses, law_with_a_jump) {
   Draw draw(1);
   Scene s = tank(draw);

@@ -3,9 +3,11 @@
 """Writes the proved bounds of the shipped tank cases, eleven times each, into verification/enclosure/tubes.
 usage: tubes.py GASJET [NAME...]"""
 
+import csv
 import pathlib
 import subprocess
 import sys
+from fractions import Fraction
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = ROOT / "verification/enclosure/tubes"
@@ -37,6 +39,22 @@ def enclose(gasjet, name):
     times = f"0:{end}:{end / 10:.12g}"
     command = [gasjet, "enclose", f"{case_of(name).relative_to(ROOT)}", "--width", f"{width:g}", "--times", times]
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+
+
+def read(text):
+    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+def expect_shipped(gasjet, name):
+    """Expects that the bounds, computed anew, overlap those that ship in every cell."""
+    new, old = read(enclose(gasjet, name)), read((FOLDER / f"{name}.csv").read_text(encoding="utf-8"))
+    assert [row["time_s"] for row in new] == [row["time_s"] for row in old]
+    for mine, shipped in zip(new, old):
+        for column in mine:
+            if column.endswith("_lower"):
+                upper = column.replace("_lower", "_upper")
+                low, high = Fraction(mine[column]), Fraction(mine[upper])
+                assert low <= Fraction(shipped[upper]) and Fraction(shipped[column]) <= high, (name, column, mine)
 
 
 def main():

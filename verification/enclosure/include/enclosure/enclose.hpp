@@ -41,7 +41,7 @@ struct Tube {
 struct Request {
   std::vector<double> times;  // [s] >= 0, rising
   double width = 1e-12;    // [-] of an interval, relative to the value; of masses, to the gas and what flowed
-  double longest = 600.0;  // [s] of computing
+  double longest = 600.0;  // [s] of computing, of the process's time
 };
 
 /// Encloses pressure, temperature, volume, mass, mass of each species and of each stream since the start at
