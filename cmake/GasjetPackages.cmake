@@ -4,6 +4,7 @@
 set(data ${CMAKE_INSTALL_DATADIR}/gasjet)
 install(DIRECTORY cases DESTINATION ${data} COMPONENT command)
 install(PROGRAMS verification/run_external.py DESTINATION ${data} COMPONENT command)
+install(DIRECTORY verification/enclosure/tubes DESTINATION ${data}/enclosure COMPONENT command)
 install(DIRECTORY verification/schemas DESTINATION ${data} COMPONENT command)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gasjet COMPONENT docs)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/site/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gasjet/site COMPONENT docs OPTIONAL) # scripts/docs_site.sh

@@ -31,6 +31,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE if (HERE / "cases/reference").is_dir() else HERE.parent  # installed, beside the cases; in the source tree one folder below
 REFERENCE = ROOT / "cases/reference"
+TUBES = HERE / "enclosure/tubes"
 OPTIONS = {"--tolerance": "0", "--tolerances": "", "--timeout": "3600", "--scenes": "", "--out": ""}
 VERDICTS = {0: "inside", 4: "undecided", 1: "outside", 2: "failed"}  # by exit code, from good to bad
 
@@ -71,10 +72,8 @@ def find_gasjet():
     places = [named]
     if not named or os.path.isdir(named):
         places = [f"{named}/build/gasjet", ROOT / "build/gasjet", ROOT / "../../bin/gasjet", shutil.which("gasjet") or ""]
-    for place in places:
-        if os.path.isfile(place) and os.access(place, os.X_OK):
-            return os.path.abspath(place)
-    return fail(f"no program {named or 'gasjet'}: build it first, or name it by the variable GASJET")
+    found = [os.path.abspath(place) for place in places if os.path.isfile(place) and os.access(place, os.X_OK)]
+    return found[0] if found else fail(f"no program {named or 'gasjet'}: build it first, or name it by the variable GASJET")
 
 
 class Scene:
@@ -94,9 +93,8 @@ def chosen_scenes(names):
         fail("--scenes: allowed: names of scenes, such as tank_fill,plate_jet")
     known = sorted(file.stem for file in REFERENCE.glob("*.csv"))
     chosen = names.split(",") if names else known
-    for name in chosen:
-        if name not in known:
-            fail(f"no scene '{name}' in {REFERENCE}")
+    if unknown := set(chosen) - set(known):
+        fail(f"no scene '{min(unknown)}' in {REFERENCE}")
     return [Scene(name) for name in chosen]
 
 
@@ -168,8 +166,7 @@ class Judge:
         checked = self.run("check", case, "--format", "json")
         if checked.returncode != 0:
             fail(f"{scene.name}: no JSON")
-        lines = [f'  "{key}": {value},' for key, value in head.items()]
-        self.file(scene, ".json").write_text("\n".join(["{", *lines, checked.stdout.partition("\n")[2]]))
+        self.file(scene, ".json").write_text("\n".join(["{", *(f'  "{key}": {value},' for key, value in head.items()), checked.stdout.partition("\n")[2]]))
 
     def call(self, scene):
         """Runs the program; what went wrong, if something did, or None if it does not do the scene."""
@@ -208,6 +205,15 @@ class Judge:
         last = (said.stderr + said.stdout).splitlines()[-1:]
         return said.returncode, "".join(last), json.loads(judged.stdout) if judged.stdout else None
 
+    def say_proved(self, scene):
+        """Prints which digits are right at the times of proved bounds (gasjet enclose), if the scene has any."""
+        tube = TUBES / Path(scene.comments["case"]).with_suffix(".csv").name
+        judged = self.run("compare", self.file(scene, ".csv"), tube, "--enclosure", "--format", "json").stdout if tube.exists() else ""
+        for q in json.loads(judged)["quantities"] if judged else []:
+            digit = max(1, -int(f"{q['share']:e}".split("e")[1])) if q["share"] else 0
+            print(f"  proved: {q['name']}: " + (f"wrong from digit {digit} on, by {q['outside_by']:.3g} or more at {q['time_s']:.6g} s" if digit
+                                                else f"right within {q['width']:.1e}" if q["rows"] else "no row at their times"))
+
     def note(self, code):
         ranks = list(VERDICTS)
         self.worst = max(self.worst, code if code in ranks else 2, key=ranks.index)  # a comparison that died judged nothing
@@ -228,10 +234,10 @@ class Judge:
         code, reason, comparison = self.compare(scene)
         self.note(code)
         print(f"{scene.name}: {reason}")
+        self.say_proved(scene)
         wrong = [(column, c) for column, c in judged_columns(comparison) if c["verdict"] != "inside"]
-        if len(wrong) > 1:  # the line names one
-            for column, c in wrong:
-                print(f"  {c['verdict']}: {column}: {c['reason']}")
+        for column, c in wrong if len(wrong) > 1 else []:  # the line names one
+            print(f"  {c['verdict']}: {column}: {c['reason']}")
         return self.report(scene, seconds, "judged" if comparison else "failed", reason, comparison)
 
     def report(self, scene, seconds, status, message, comparison):
