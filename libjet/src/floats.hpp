@@ -17,7 +17,7 @@ struct Floats {
   using Values = float __attribute__((vector_size(32)));
   typedef float Unaligned __attribute__((vector_size(32), aligned(4), may_alias));
   static_assert(alignof(Unaligned) == 4);
-  using Mask = std::int32_t __attribute__((vector_size(32)));
+  using Mask = decltype(Values{} < Values{});  // clang's integer of 32 bits may be long
   Values v{};
 
   Floats() = default;

@@ -5,8 +5,9 @@ comments, with history_hashes.tsv.
 
 A case has one hash, whatever the compiler and the processor are. So each program runs each case twice, the second time with
 those functions of glibc that are for processors without AVX2 and FMA.
-usage: history_hashes.py [--write] [--without REGEX] GASJET...
+usage: history_hashes.py [--write] [--once] [--without REGEX] GASJET...
   --write          writes the rows of these cases, from the first program's runs
+  --once           runs each case once, for a program that calls no glibc
   --without REGEX  leaves out the cases whose names match"""
 import argparse
 import concurrent.futures
@@ -47,13 +48,14 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("programs", nargs="+", metavar="GASJET")
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--once", action="store_true")
     parser.add_argument("--without", metavar="REGEX")
     arguments = parser.parse_args()
     cases = sorted(file.stem for file in CASES.glob("*.toml"))
     if arguments.without:
         cases = [case for case in cases if not re.search(arguments.without, case)]
     runs = [(str(pathlib.Path(program).resolve()), case, variables)
-            for program in arguments.programs for variables in ({}, OLD_PROCESSOR) for case in cases]
+            for program in arguments.programs for variables in ([{}] if arguments.once else [{}, OLD_PROCESSOR]) for case in cases]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(lambda run: hashes_of(*run), runs))
     faults = [f"{case}: {result}" for (_, case, _), result in zip(runs, results) if isinstance(result, str)]

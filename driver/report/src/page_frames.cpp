@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "page_frames.hpp"
 
-#include <zlib.h>
-
 #include <cstring>
-#include <new>
 #include <string>
 #include <string_view>
 
+#include "deflate.hpp"
 #include "results/frames.hpp"
 
 namespace driver {
@@ -27,17 +25,6 @@ std::string base64(std::string_view bytes) {
       text += k <= bytes.size() - i ? digits[group >> (18 - 6 * k) & 63U] : '=';
   }
   return text;
-}
-
-// Compressed by zlib, for the page's DecompressionStream.
-std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string packed(size, '\0');
-  if (compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-               bytes.size()) != Z_OK)
-    throw std::bad_alloc();  // the only possible failure with a buffer of that size
-  packed.resize(size);
-  return packed;
 }
 
 double number_at(std::string_view frame, std::size_t place) {

@@ -92,7 +92,7 @@ inline PatchesFound classify_patches(const PatchArrays& given) {
     const int patch = s.patches[k];
     const std::uint32_t* rows = rows_of(s.corner_rows, patch);
     const auto corner = [&](int j) {
-      return gather_four(s.local, [&](int i) { return std::ptrdiff_t{rows[8 * j + i]}; });
+      return gather_four(s.local, [&](int i) { return static_cast<std::ptrdiff_t>(rows[8 * j + i]); });
     };
     const FourFloats a = corner(0), b = corner(1), c = corner(2);
     const auto code = [](const FourFloats& x) { return reinterpret_cast<Floats::Mask>(x.fourth.v); };

@@ -45,7 +45,7 @@ inline int choose_boxes(const BoxArrays& from, const std::uint8_t* chosen, float
     const int patch = from.patches[k];
     if (chosen[patch] == 0) continue;
     const Floats::Mask lanes = mask_from_bits(chosen[patch]);
-    const float* block = from.boxes + kBoxFloats * std::ptrdiff_t{k};
+    const float* block = from.boxes + kBoxFloats * static_cast<std::ptrdiff_t>(k);
     for (int row = 0; row < kBoxFloats; row += 8) {
       // Low p, low q and the depth; between them high p and high q.
       const Floats none(row % 16 == 0 ? __builtin_inff() : -__builtin_inff());
@@ -87,7 +87,7 @@ inline Blocks blocks_near(const PyramidView& pyramid, const Box& box, const Pair
   b.count = pyramid.last[level] - pyramid.first[level];
   *reinterpret_cast<UnalignedInts*>(b.list) = UnalignedInts{0, 1, 2, 3, 4, 5, 6, 7};
   for (; level > 0; --level) {
-    const float* boxes = pyramid.boxes + kBoxFloats * std::ptrdiff_t{pyramid.first[level]};
+    const float* boxes = pyramid.boxes + kBoxFloats * static_cast<std::ptrdiff_t>(pyramid.first[level]);
     int found = 0;
     for (int i = 0; i < b.count; ++i) {
       const int block = b.list[i];
@@ -178,7 +178,8 @@ inline void meet_pairs(const PairArrays& p, int count) {
     alignas(32) int rows[8];  // as rows_of
     *reinterpret_cast<UnalignedInts*>(rows) = 24 * (places >> 3) + (places & 7);
     const auto corner = [&](int j) {
-      return gather_four(p.local, [&](int i) { return std::ptrdiff_t{p.corner_rows[rows[i] + 8 * j]}; })
+      return gather_four(p.local,
+                         [&](int i) { return static_cast<std::ptrdiff_t>(p.corner_rows[rows[i] + 8 * j]); })
           .point;
     };
     const Line r = line_to(gather_rows(p.targets, [&](int i) { return rays[i]; }), Floats(p.half_long));
