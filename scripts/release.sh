@@ -45,7 +45,7 @@ source=$scratch/gasjet-$version
 scripts/setup_debian12.sh dpkg-dev file python3-venv
 git archive --format=tar --prefix="gasjet-$version/" HEAD | gzip -n >"$out/gasjet-$version.tar.gz"
 tar -xzf "$out/gasjet-$version.tar.gz" -C "$scratch"
-(cd "$source" && cmake --preset release -DGASJET_TESTS=OFF -DGASJET_BENCHMARKS=OFF && cmake --build --preset release && scripts/docs_site.sh && cd build && cpack -G DEB)
+(cd "$source" && cmake --preset release -DGASJET_TESTS=OFF -DGASJET_BENCHMARKS=OFF && cmake --build --preset release && scripts/setup_browser.py && cmake --preset browser && cmake --build --preset browser && scripts/docs_site.sh && cd build && cpack -G DEB)
 mv "$source"/build/packages/*.deb "$out"
 /usr/bin/python3 -m venv --system-site-packages "$scratch/venv"
 "$scratch/venv/bin/pip" wheel --no-build-isolation --no-index --no-deps --config-settings build-dir=build --wheel-dir "$out" "$source"
@@ -53,6 +53,7 @@ cmake --install "$source/build" --component command --prefix "$scratch/prefix" >
 cp LICENSE "$scratch/prefix/share/gasjet"
 pack "gasjet-reference-data-$(<cases/reference/VERSION).tar.gz" "$scratch/prefix/share" gasjet
 pack "gasjet-$version-site.tar.gz" "$source/build" site
+cp "$source/build-browser/try.html" "$out/gasjet-$version.html"
 (cd "$out" && sha256sum ./* >"$scratch/sums" && mv "$scratch/sums" SHA256SUMS)
 
 # In an empty Debian 12: what the packages do not name is not there.

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Hook of mkdocs.yml: the site reads lists as GitHub does, where Python-Markdown differs, its menu leads to every page, and README's
-# picture to the report that only the site has.
+# picture to the report that only the site has; cases run where they are named.
 import logging
+import pathlib
 import re
 
 from markdown.blockprocessors import build_block_parser
 from markdown.extensions import Extension
 from markdown.preprocessors import Preprocessor
+
+CASES = pathlib.Path(__file__).resolve().parents[3] / "cases"
 
 
 class GithubLists(Extension):
@@ -41,6 +44,25 @@ def on_page_markdown(markdown, page, config, files):
         return markdown
     assert picture in markdown, "README.md has lost its picture"
     return markdown.replace(picture, picture + "\n[Both runs in motion](reports/passenger_pendulum.html)\n", 1)
+
+
+def run_here(name, base):
+    """A place that fills with the page that runs cases, when it is opened."""
+    return (f'<details class="run" ontoggle="this.querySelector(\'iframe\').src ||= \'{base}try.html#run={name}\'">'
+            f"<summary>Run {name} here</summary><iframe title=\"{name}\" allow=\"clipboard-write\"></iframe></details>")
+
+
+def on_page_content(html, page, config, files):
+    """Below a heading or a block of commands that names shipped cases, each of them once a page."""
+    base, seen = "../" * page.file.dest_path.count("/"), set()
+
+    def place(found):
+        names = [name for name in re.findall(r"cases/([a-z_]+)\.toml", found[0]) if (CASES / f"{name}.toml").exists() and name not in seen]
+        names = list(dict.fromkeys(names))
+        seen.update(names)
+        return found[0] + "".join(run_here(name, base) for name in names)
+
+    return re.sub(r'<h2.*?</h2>|<div class="highlight">.*?</div>', place, html, flags=re.S)
 
 
 def on_nav(nav, config, files):

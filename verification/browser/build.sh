@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Sets emscripten up and builds preset `browser`; its page and its code must stay small.
+# usage: build.sh
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+scripts/setup_browser.py
+cmake --preset browser >/dev/null
+cmake --build --preset browser
+page=$(stat -c %s build-browser/try.html) code=$(cat build-browser/gasjet.{js,wasm} | brotli -9 --stdout | wc -c)
+echo "page $page bytes, code $code bytes by brotli"
+((page <= 2000000 && code <= 900000)) || { echo "build.sh: allowed: a page of 2000000 bytes, code of 900000 bytes by brotli" >&2; exit 1; }
