@@ -37,7 +37,7 @@ def run(*command, **options):
 
 
 def source_of_gsl(folder):
-    """Debian's source package, from the archive that the machine's apt names; its settings stay as they are."""
+    """Debian's source package, from Debian's archive; the machine's settings of apt stay as they are."""
     lists = folder / "lists"
     (lists / "partial").mkdir(parents=True)
     (folder / "sources").write_text("deb-src http://deb.debian.org/debian bookworm main\n")
@@ -78,9 +78,9 @@ def main():
         LIBRARY.parent.mkdir(parents=True, exist_ok=True)
         # Archives hold names without folders: each object gets one of its own.
         named = [part.rename(part.with_name(f"{part.parent.name}_{part.name}")) for part in parts]
-        run("emar", "rcs", str(LIBRARY), *map(str, named))
         (LIBRARY.parent / "include").mkdir(exist_ok=True)
         shutil.copytree(source / "gsl", LIBRARY.parent / "include" / "gsl", dirs_exist_ok=True)
+        run("emar", "rcs", str(LIBRARY), *map(str, named))
 
 
 if __name__ == "__main__":

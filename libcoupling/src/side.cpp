@@ -37,7 +37,7 @@ class Turn {
     if (up == adds_up && (back || up != (y >= 0.0))) turns_ += up ? 1 : -1;
     const double scale = std::abs(x) + std::abs(y);
     cosine_ = x / scale;
-    sine_ = y / scale;
+    sine_ = y / scale + 0.0;  // never -0, of which the arc tangent is -pi
   }
   double in_turns() const { return turns_ + elementary::atan2(sine_, cosine_) / (2.0 * std::numbers::pi); }
 

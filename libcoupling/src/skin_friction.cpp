@@ -89,7 +89,7 @@ std::vector<SkinBristle> SkinFriction::bristles() const {
     for (const int side : {0, 1}) {
       const Bristle& one = before_[static_cast<std::size_t>(node)][static_cast<std::size_t>(side)];
       if (one.triangle >= 0)
-        all.push_back({node, side, one.triangle, {one.stretch[0], one.stretch[1], one.stretch[2]}});
+        all.push_back({node, side, one.triangle, 0, {one.stretch[0], one.stretch[1], one.stretch[2]}});
     }
   return all;
 }

@@ -38,6 +38,7 @@ void expect_no_allocation_in_a_step(const jet::JetModel& model, const Bag& bag) 
   const jet::JetField field(model, count);
   jet::FieldState work = field.make_state();
   jet::VisibilityQuery query(bag.surface.triangles, static_cast<int>(bag.mesh.nodes.size()));
+  query.prepare();
   const jet::RaySource source = jet::ray_source(field.model());
   std::vector<std::uint8_t> lit(static_cast<std::size_t>(count));
   const jet::Points areas(bag.surface.area_vectors), centroids(bag.surface.centroids),

@@ -109,7 +109,8 @@ void AskedElements::evaluate(const JetCall& call, const jet::Points& points, con
                              double restitution) {
   if (!field_) return;
   measure(call, points, cut);
-  if (!(reach() < 1.5 * extent_.farthest)) {
+  const bool goes_on = call.displacement_bound >= state_.displacement_bound;  // not of a new run
+  if (!goes_on || !(reach() < 1.5 * extent_.farthest)) {
     extent_.centre = field_->model().centre;
     extent_.bound = call.displacement_bound;
     extent_.farthest = (centroids_.colwise() - extent_.centre).colwise().norm().maxCoeff();

@@ -27,6 +27,7 @@ void Sim::finish() {
   driver::RunOutcome outcome = simulation.outcome();
   folder->follow(simulation.scene());
   folder->end(state(), outcome);
+  checks.go_on_as(folder->checks());
   folder.reset();
   watch();
 }

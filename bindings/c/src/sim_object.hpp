@@ -28,13 +28,16 @@ struct Sim : Object {
     watch();
   }
   Sim(const Sim& other)
-      : lines(other.lines), tables(other.tables), simulation(other.simulation), checks(other.checks) {
+      : lines(other.lines), tables(other.tables), simulation(other.simulation), checks(other.seen()) {
     watch();
   }
   ~Sim() override;
 
   const driver::Scene& scene() const { return simulation.scene(); }
   const driver::State& state() const { return simulation.state(); }
+
+  /// Looks at the skin: those of the folder if there is one.
+  const driver::SkinChecks& seen() const { return folder ? folder->checks() : checks; }
 
   /// Rows into the tables, files into the folder if there is one.
   void watch();

@@ -64,7 +64,7 @@ int gasjet_sim_assign(gasjet_handle sim, gasjet_handle from) {
       refuse("from", "is of another case, allowed: a clone, or what this was cloned from");
     use->simulation = other->simulation;
     use->tables = other->tables;
-    use->checks.go_on_as(other->checks);
+    use->checks.go_on_as(other->seen());
   });
 }
 
@@ -88,6 +88,7 @@ int gasjet_sim_restore(gasjet_handle sim, const uint8_t bytes[], int64_t size) {
     if (size < 1) refuse("size", "is " + std::to_string(size) + ", allowed: 1 or more");
     require_no_folder(*use);
     driver::restore(use->simulation, {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)});
+    use->checks.go_on_from(use->state());
   });
 }
 
@@ -159,9 +160,9 @@ int gasjet_sim_results(gasjet_handle sim, gasjet_handle* run) {
     const auto made = std::make_shared<Run>(use->scene());
     made->tables = use->tables;
     driver::RunOutcome outcome = simulation.outcome();
-    use->checks.note(outcome);
+    use->seen().note(outcome);
     made->summary =
-        driver::summary_text(use->scene(), use->state(), outcome, use->checks.found(), use->lines);
+        driver::summary_text(use->scene(), use->state(), outcome, use->seen().found(), use->lines);
     *run = keep(made);
   });
 }

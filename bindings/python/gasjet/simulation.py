@@ -253,7 +253,7 @@ class Simulation:
         _gasjet.sim_set_inflow(self._handle, inflator, mass_flow, temperature)
 
     def set_outlet(self, jet: int, centre: Vector, axis: Vector) -> None:
-        """Centre [m] and axis [-] of a jet's outlet."""
+        """Centre [m] and axis [-] of a jet's outlet. InputError if the centre is outside the bag."""
         _gasjet.sim_set_outlet(self._handle, jet, centre, axis)
 
     def set_gravity(self, gravity: Vector) -> None:

@@ -13,8 +13,8 @@ enclosure::Tube enclose_by_module(const enclosure::Scene& scene, const enclosure
   void* module = dlopen(GASJET_ENCLOSURE_MODULE, RTLD_NOW | RTLD_LOCAL);
   if (!module)
     throw CaseError(fmt::format(
-        "enclose: this build has no ball arithmetic: install Arb (Debian: libflint-arb-dev), then "
-        "configure and build again ({})",
+        "enclose: no ball arithmetic: {}; if it is not there, install Arb (Debian: libflint-arb-dev), then "
+        "configure and build again; if a library of it is not, install that (Debian: libflint-arb2)",
         dlerror()));
   using Enclose = void(const enclosure::Scene&, const enclosure::Request&, enclosure::Tube&);
   auto* enclose = reinterpret_cast<Enclose*>(dlsym(module, "gasjet_enclose"));

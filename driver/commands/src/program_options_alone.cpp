@@ -3,6 +3,7 @@
 // help.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <span>
@@ -39,7 +40,10 @@ void parse(std::span<char*> words, const std::vector<Option>& options,
 }
 
 std::function<void(const std::string&)> to(std::filesystem::path& path) {
-  return [&path](const std::string& word) { path = word; };
+  return [&path](const std::string& word) {
+    if (!path.empty()) throw CaseError(word + ": is one file too many");
+    path = word;
+  };
 }
 std::function<void(const std::string&)> to(std::string& text) {
   return [&text](const std::string& word) { text = word; };
@@ -47,8 +51,8 @@ std::function<void(const std::string&)> to(std::string& text) {
 std::function<void(const std::string&)> to(int& number) {
   return [&number](const std::string& word) {
     const auto value = number_of(word);
-    if (!value || !(*value >= 1.0 && *value <= 100000.0))
-      throw CaseError(word + ": must be a whole number from 1 to 100000");
+    if (!value || !(*value >= 1.0 && *value <= 100000.0) || *value != std::floor(*value))
+      throw CaseError(word + ": is no number of runs or seed, allowed: a whole number from 1 to 100000");
     number = static_cast<int>(*value);
   };
 }

@@ -113,6 +113,10 @@ std::vector<LevelView> RunFolder::views() {
   return views;
 }
 
+const SkinChecks& RunFolder::checks() const {
+  return *files_->checks;
+}
+
 void RunFolder::follow(const Scene& scene) {
   files_->now = &scene;
 }

@@ -32,6 +32,14 @@ void SkinChecks::go_on_as(const SkinChecks& other) {
   found_ = other.found_;
 }
 
+void SkinChecks::go_on_from(const State& state) {
+  const SkinChecks fresh(scene_);
+  quarters_ = fresh.quarters_;
+  schedule_ = fresh.schedule_;
+  if (state.steps > 0) due(state, false);
+  std::erase_if(found_, [&](const SkinCheck& check) { return check.time > state.time; });
+}
+
 LevelView SkinChecks::view() {
   return {[this](const State& state, bool last) { return due(state, last); },
           [this](const State& state) { check(state); }};

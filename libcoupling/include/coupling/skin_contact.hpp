@@ -88,15 +88,18 @@ class GapError : public ContactError {
 
 /// A node that sticks to a layer or slides on it.
 struct SkinBristle {
-  int node, side;     // one on each side of a node
+  int node;           // that sticks
+  int side;           // of the node: 0 or 1
   int triangle;       // of the layer
+  int unused = 0;     // no hole: states are compared as bytes
   double stretch[3];  // [m] tangential, of the node against the element
 };
 
 /// What the levels to come depend on beside their positions.
 struct SkinContactRecord {
   long level = -1;                         // number of the last one; -1: none
-  long looks = 0, sweeps = 0;              // counters
+  long looks = 0;                          // distances computed
+  long sweeps = 0;                         // paths tested
   Eigen::Matrix3Xd nodes;                  // [m] at the last level
   std::vector<double> node_limits;         // [m]
   std::vector<double> edge_limits;         // [m]

@@ -49,6 +49,8 @@ std::optional<Balls> Walk::lifted(const Balls& box, bool high, Ball& inflow) {
   const Ball rise = tank_.ambient.gas_constant * t + r / cv * heat;
   const Balls now = values();
   const Ball lack = Ball(tank_.scene.ambient_pressure) - lower(now[0]);
+  const Ball above = t - Ball(joint_temperature);
+  if (!tank_.constant_cp && !(high ? above : Ball(0.0) - above).is_positive()) return {};
   if (!rise.is_positive() || !cv.is_positive()) return {};
   inflow = hull(Ball(0.0), now[2] * lack / rise);
   Balls end = core(box);
@@ -83,6 +85,9 @@ bool Walk::rest(const Sides& now, const Ball& end) {
   box[0] = mass * q;
   box[1] = box[1] * q;
   for (std::size_t i = 0; i < unknowns_; ++i) box[i] = hull(box[i], (*below)[i]);
+  // The gas stays in one range of its law.
+  const Ball above = box[1] - Ball(joint_temperature);
+  if (!tank_.constant_cp && !(high ? above : Ball(0.0) - above).is_positive()) return false;
   const std::size_t in = tank_.inflows.size(), out = tank_.scene.holes.size() + tank_.scene.fabrics.size();
   for (std::size_t j = in; j < streams_; ++j)
     box[unknowns_ + j] = box[unknowns_ + j] + (j < in + out ? mass * left : inflow);

@@ -67,11 +67,12 @@ class OutletPlace {
     }
     return {};
   }
-  /// The outlet's centre if the point a hundredth of the outlet's width before it is outside: a skin on which
-  /// it lies may tremble.
+  /// The outlet's centre if it is outside, and so is the point a hundredth of the outlet's width before it: a
+  /// skin on which it lies may tremble, and a layer may lie close before it.
   std::optional<Eigen::Vector3d> centre_outside() const {
     const Across& line = lines_.front();
-    return is_outside(line.middle, 0.02 * line.half) ? std::optional(line.middle) : std::nullopt;
+    const bool is_out = is_outside(line.middle, 0.0) && is_outside(line.middle, 0.02 * line.half);
+    return is_out ? std::optional(line.middle) : std::nullopt;
   }
   /// Least thickness [m] of the bag where the outlet's rim is outside; none if it is inside.
   std::optional<double> thin_bag() const {

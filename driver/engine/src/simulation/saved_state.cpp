@@ -89,7 +89,7 @@ void add(Archive& a, const coupling::SkinContactModel& model, State& s) {
 // Likewise.
 void add(Archive& a, JetRun& s) {
   a.plain(s.outlet, s.field.restitution, s.field.size_ratio, s.field.outline_motion, s.counters, s.total,
-          s.force, s.load_change, s.firing);
+          s.force, s.load_change, s.firing, s.known_inside);
   for (jet::FieldState* field : {&s.field, &s.elements})
     a.list(field->overpressure), a.list(field->candidates);
   a.list(s.lit);

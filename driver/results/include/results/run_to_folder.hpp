@@ -9,6 +9,7 @@
 
 #include "base/run_id.hpp"
 #include "engine/run.hpp"
+#include "results/skin_checks.hpp"
 
 namespace driver {
 
@@ -37,6 +38,8 @@ class RunFolder {
   /// To be called for each level. It and the views refer to this object.
   LevelSink sink();
   std::vector<LevelView> views();
+  /// Looks at the skin so far.
+  const SkinChecks& checks() const;
   /// The scene of the levels that follow, if its caller has changed it; it must outlive their calls.
   void follow(const Scene& scene);
   /// Completes the files of a run with that outcome, and adds its notes.

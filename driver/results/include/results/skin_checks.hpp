@@ -25,6 +25,8 @@ class SkinChecks {
   explicit SkinChecks(const Scene& scene);
   /// Goes on as another one, of the same scene.
   void go_on_as(const SkinChecks& other);
+  /// Goes on from a state of the scene: what was due by then is done, and what was found later is forgotten.
+  void go_on_from(const State& state);
   /// For run_scene(); it refers to this object.
   LevelView view();
   /// In the order of time.
