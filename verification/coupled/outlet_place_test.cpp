@@ -138,6 +138,7 @@ TEST(outlet_place, a_rim_outside_is_refused_where_the_outlet_would_fit_or_blows_
   for (const Outlet& outlet : {
            Outlet{"would_fit", "[0.02, -0.1, 0.0]", "[0.0, 1.0, 0.0]", round, thick},
            Outlet{"too_tilted", "[0.002, -0.1, 0.0]", "[0.7, 1.0, 0.0]", round, lens},
+           Outlet{"in_a_sheet", "[0.0, -0.1, 0.0]", "[0.0, 1.0, 0.0]", round, pressed},
            Outlet{"source_beside_the_bag", "[0.006, -0.1, 0.0]", "[0.0, 1.0, 0.0]", round, lens},
            Outlet{"before_the_seam", "[0.0005, -0.36, 0.0]", "[0.0, 1.0, 0.0]", round, pressed},
            Outlet{"slot_across_the_sheets", "[0.002, -0.1, 0.0]", "[0.0, 1.0, 0.0]",

@@ -116,7 +116,9 @@ class OutletPlace {
     const Eigen::Vector3d middle = moved(line.middle, way);
     const Hit ahead = first_hit(middle, line.direction), behind = first_hit(middle, -line.direction);
     const double whole = ahead.way + behind.way;
-    if (!(whole < 2.0 * line.half) || !is_along_axis(ahead.element) || !is_along_axis(behind.element))
+    const bool between = whole > 1e-6 * size_;  // of two sheets: in one, it is met both ways
+    if (!between || !(whole < 2.0 * line.half) || !is_along_axis(ahead.element) ||
+        !is_along_axis(behind.element))
       return {};
     return whole;
   }
