@@ -58,6 +58,16 @@ build() {
   phase "build $1" cmake --build --preset "$1" -j "$jobs"
 }
 
+# what_failed: the last lines that each failed test wrote, for who sees the end of a long log only.
+what_failed() {
+  awk -v last=12 '
+    function tell(  i) { for (i = n > last ? n - last : 0; i < n; ++i) print line[i]; n = 0 }
+    /^ *[0-9]+\/[0-9]+ Test +#/ { tell(); within = /\*\*\*/; if (within) print "--- " $0; next }
+    /^ +Start +[0-9]+:/ { next }
+    /tests passed, [0-9]+ tests* failed/ { tell(); within = 0 }
+    within && NF { line[n++] = substr($0, 1, 240) }' "$logs"/*
+}
+
 # closing_line: ctest's "P% tests passed, F tests failed out of N", summed over the suites.
 closing_line() {
   local failed=0 total=0 of_suite
@@ -91,6 +101,7 @@ fi
 echo "=== wall time and CPU time of each phase, on $jobs cores"
 printf '%s\n' "${times[@]}"
 if ((${#failed_suites[@]})); then
+  what_failed
   echo "failed suites: ${failed_suites[*]}"
 fi
 closing_line

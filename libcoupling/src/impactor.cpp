@@ -32,9 +32,10 @@ void require_valid_shape(const Disc& disc) {
 
 void detail::require_axes(const Eigen::Matrix3d& axes) {
   const Eigen::Matrix3d error = axes.transpose() * axes - Eigen::Matrix3d::Identity();
-  if (!(error.cwiseAbs().maxCoeff() <= 1e-9 && axes.determinant() > 0.0))
-    reject("pose.axes", "[" + text(axes.col(0)) + ", " + text(axes.col(1)) + ", " + text(axes.col(2)) + "]",
-           "orthonormal and right-handed within 1e-9");
+  if (error.cwiseAbs().maxCoeff() <= 1e-9 && axes.determinant() > 0.0) return;
+  std::string columns;
+  for (const auto& axis : axes.colwise()) columns += (columns.empty() ? "[" : ", ") + text(axis);
+  reject("pose.axes", columns + "]", "orthonormal and right-handed within 1e-9");
 }
 
 void require_valid(const Impactor& impactor) {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The commands as Python functions: what they give, how they fail, and the program that they run."""
+import functools
 import json
 import os
 import pathlib
@@ -162,9 +163,19 @@ class Faults(Here):
             gasjet.ensemble(case("jet_bag"), wild, runs=2)
         self.assertEqual(len(caught.exception.run.parts["jet_bag"].data["failures"]), 2)
 
+    def test_a_dict_is_run_twice_at_the_same_time(self):
+        plan = {"study": {"case": case("sphere_inflation")}}
+        with program.case_words(plan, None) as (first, _):
+            with program.case_words(plan, None) as (second, _):
+                content = pathlib.Path(first[0]).read_text()
+            self.assertEqual((second, pathlib.Path(first[0]).read_text()), (first, content))
+            self.assertIn("sphere_inflation", content)
+        self.assertEqual(os.listdir("."), [])
+
     def test_interrupt_ends_the_command_and_keeps_its_runs(self):
         script = f"import gasjet\ngasjet.ensemble({case('sphere_inflation')!r}, runs=100000, out='out')\n"
-        with subprocess.Popen([sys.executable, "-c", script], stderr=subprocess.PIPE, text=True) as process:
+        heed = functools.partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # a shell's background jobs ignore it
+        with subprocess.Popen([sys.executable, "-c", script], stderr=subprocess.PIPE, text=True, preexec_fn=heed) as process:
             journal = pathlib.Path("out/sphere_inflation/journal.jsonl")
             ends = time.monotonic() + 60
             while time.monotonic() < ends and not (journal.exists() and journal.read_text().count("\n") > 4):

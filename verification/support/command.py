@@ -167,7 +167,7 @@ def write_table(path, columns, comments=()):
 def whole_rows(path):
     """The number of rows; each is whole and ends with its line."""
     lines = [line for line in read(path).splitlines() if not line.startswith("#")]
-    assert read(path).endswith("\n") and len({line.count(",") for line in lines}) == 1, f"torn rows in {path}"
+    assert read(path).endswith("\n") and len({line.count(",") for line in lines}) == 1, f"torn rows in {path}: {read(path)[-300:]!r}"
     return len(lines) - 1
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import functools
 import hashlib
 import os
@@ -13,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 import warnings
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, List, Mapping, Optional, TextIO, Tuple, Union
 
 import numpy as np
 
@@ -129,12 +130,34 @@ def _written(name: str, content: str, after: contextlib.ExitStack) -> Tuple[str,
     stem, ending = os.path.splitext(name)
     file = f"{stem}_{hashlib.sha256(content.encode()).hexdigest()[:8]}{ending or '.toml'}"
     try:
-        with open(file, "w", encoding="utf-8") as stream:
-            stream.write(content)
+        stream = _shared(file, content)
     except OSError as error:
         raise InputError(f"case: cannot be written to {file}: {error.strerror}; a dict needs a working folder that can be written to") from None
-    after.callback(os.unlink, file)
+    after.callback(_leave, stream, file)
     return file, {file: name, os.path.basename(file)[:-len(ending or '.toml')]: os.path.basename(stem)}
+
+
+def _shared(file: str, content: str) -> TextIO:
+    """The file with this content, locked by all who use it: runs of the same dict may go on side by side in one folder."""
+    while True:
+        stream = open(file, "a", encoding="utf-8")
+        with contextlib.suppress(BlockingIOError):  # somebody uses it, so it is whole
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            stream.truncate(0)
+            stream.write(content)
+            stream.flush()
+        fcntl.flock(stream, fcntl.LOCK_SH)
+        with contextlib.suppress(FileNotFoundError):  # its last user removed it in between
+            if os.path.samestat(os.fstat(stream.fileno()), os.stat(file)):
+                return stream
+        stream.close()
+
+
+def _leave(stream: TextIO, file: str) -> None:
+    """The last user removes the file."""
+    with stream, contextlib.suppress(BlockingIOError):
+        fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        os.unlink(file)
 
 
 @contextlib.contextmanager
