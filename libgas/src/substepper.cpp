@@ -24,6 +24,8 @@ constexpr double kCrossingFactor = 0.5;
 // Longest step, as a share of the time since the onset: each further term of sqrt(t) is less than a sixteenth
 // of the one before.
 constexpr double kRootShare = 1.0 / 16.0;
+// Sub-steps that begin in the laminar range (G.22) reach this many times its width, if they leave it.
+constexpr double kThroughLaminar = 2.0;
 // The root's clock starts before the onset by this share of the time ahead, because all rates are zero at its
 // origin.
 constexpr double kRootBegin = 1e-12;
@@ -81,6 +83,16 @@ void Substepper::set_relaxation(double length) {
   begin_.relaxation = relaxation(system_.balance, may_switch_ ? kStiff / length : 0.0);
 }
 
+/// Longest sub-step after an onset, as what flows in the laminar range is missed by stages beyond it.
+double Substepper::through_laminar() const {
+  const Moment& now = begin_.moment;
+  const double laminar = laminar_overpressure(system_.balance.boundary().model());
+  if (!system_.clock.root || std::abs(now.overpressure) > laminar ||
+      std::abs(balanced_overpressure(system_.balance)) < 10.0 * laminar)
+    return kInfinity;
+  return system_.clock.position(begin_.t + kThroughLaminar * laminar / std::abs(now.growth)) - begin_.x;
+}
+
 Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   const Clock& clock = system_.clock;
   const double left = clock.position(b) - begin_.x,
@@ -88,7 +100,8 @@ Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
   const double share = control_.is_ending(system_.balance, begin_.moment) ? 1.0 : kTowardsAmbient;
   const double free = std::min(proposal.length, share * events_.until_ambient(begin_.moment));
-  const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : free});
+  const double within = std::min(free, through_laminar());
+  const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : within});
   return length >= left ? Reach{left, b} : Reach{length, clock.time(begin_.x + length)};
 }
 

@@ -29,6 +29,21 @@ def test_literal_law_comes_to_rest():
     assert Fraction(row["pressure_Pa_lower"]) <= 101325 <= Fraction(row["pressure_Pa_upper"])
 
 
+def test_flow_that_sets_in_keeps_to_the_tolerance(tmp_path):
+    """Flow that sets in at p_a passes the laminar range within microseconds; sub-steps that miss it are off by 2e-10."""
+    scene = ["cases/rigid_tank.toml", "--set", "vent=[{area=1e-3}]", "--set", "inflator.0.mass_flow=0.01", "--set", "scene.end_time=0.01"]
+    proved = gasjet("enclose", *scene, "--times", "0.001:0.01:0.001")
+    assert proved.returncode == 0, proved.stderr
+    for method in ("dormand_prince", "runge_kutta", "rosenbrock"):
+        options = ["--set", f'time.gas_method="{method}"', "--set", "time.gas_tolerance=1e-13", "--quiet", "--out", str(tmp_path / method)]
+        done = gasjet("run", *scene, *options)
+        assert done.returncode == 0, done.stderr
+        rows = read((tmp_path / method / "history.csv").read_text())
+        for bounds in read(proved.stdout):
+            mass = next(float(row["gas_mass_kg"]) for row in rows if abs(float(row["time_s"]) - float(bounds["time_s"])) < 1e-9)
+            assert abs(mass / float(bounds["gas_mass_kg_lower"]) - 1) < 5e-12, (method, bounds["time_s"], mass)
+
+
 def test_refusals_say_why():
     for words, code, said in (
         (["cases/driver_bag.toml"], 2, "has a bag; only tanks are enclosed"),
