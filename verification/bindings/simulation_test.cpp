@@ -67,6 +67,30 @@ TEST_F(CSimulation, views_follow_the_steps) {
   EXPECT_EQ(x[4 * 700], before);
 }
 
+// What the memory below the caller's frame holds.
+[[gnu::noinline]] void fill_stack(unsigned char value) {
+  volatile unsigned char below[200000];
+  for (volatile unsigned char& byte : below) byte = value;
+}
+
+TEST_F(CSimulation, saved_bytes_hold_the_state_and_nothing_else) {
+  for (const char* name : {"passenger_sharp", "free_headform", "passenger_letter", "tank_blowdown"}) {
+    const std::string file = std::string(GASJET_SOURCE_DIR) + "/cases/" + name + ".toml";
+    Handle made;
+    ASSERT_OK(gasjet_sim_create(file.c_str(), nullptr, nullptr, nullptr, 1, &made.value));
+    ASSERT_OK(gasjet_sim_step(made.value, 3));
+    int64_t size = 0;
+    ASSERT_OK(gasjet_sim_save(made.value, nullptr, 0, &size));
+    std::vector<uint8_t> bytes[2] = {std::vector<uint8_t>(static_cast<std::size_t>(size)),
+                                     std::vector<uint8_t>(static_cast<std::size_t>(size))};
+    for (int i = 0; i < 2; ++i) {
+      fill_stack(i == 0 ? 0x55 : 0xaa);
+      ASSERT_OK(gasjet_sim_save(made.value, bytes[i].data(), size, &size));
+    }
+    EXPECT_EQ(bytes[0], bytes[1]) << name;
+  }
+}
+
 TEST_F(CSimulation, null_and_other_handles_are_refused) {
   double d = 0.0;
   double v[9] = {};

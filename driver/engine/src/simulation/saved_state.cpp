@@ -79,6 +79,37 @@ void add(Archive& a, coupling::SkinContactRecord& s) {
   a.list(s.node_limits), a.list(s.edge_limits), a.list(s.bristles);
 }
 
+// Structures with gaps between their members are named by member, or the bytes would hold what the memory
+// held.
+template <class T, std::size_t size>
+void require_all_named() {
+  static_assert(sizeof(T) == size, "a member was added: name it, too");
+}
+
+void add(Archive& a, coupling::ContactResult& s) {
+  require_all_named<coupling::ContactResult, 104>();
+  a.plain(s.force, s.couple, s.energy, s.friction_loss, s.area, s.penetration, s.deepest_element,
+          s.omega_squared_skin, s.omega_squared_sphere);
+}
+
+void add(Archive& a, coupling::SkinContactResult& s) {
+  require_all_named<coupling::SkinContactResult, 80>();
+  a.plain(s.energy, s.friction_loss, s.omega_squared, s.contacts, s.closest.first, s.closest.second,
+          s.closest.gap, s.approach, s.kink_energy);
+}
+
+void add(Archive& a, BodyRun& s) {
+  require_all_named<BodyRun, 536>();
+  a.plain(s.driven, s.last_pose, s.last_contact, s.last_velocity, s.motion, s.contact, s.displacement,
+          s.gravity_energy, s.spring_energy, s.driving_work, s.driving_work_before, s.kick, s.velocity,
+          s.acceleration, s.angular_velocity, s.kinetic);
+}
+
+void add(Archive& a, LevelProgress& s) {
+  require_all_named<LevelProgress, 24>();
+  a.plain(s.history, s.request, s.all);
+}
+
 // What only saves work is made anew.
 void add(Archive& a, const coupling::SkinContactModel& model, State& s) {
   coupling::SkinContactRecord record = s.skin_contact_cache->record();
@@ -97,14 +128,14 @@ void add(Archive& a, JetRun& s) {
 }
 
 void add(Archive& a, const Scene& scene, State& s) {
-  a.plain(s.time, s.steps, s.stage, s.step, s.flows, s.gas_point, s.jet_work, s.contact, s.skin_contact,
-          s.stage_ticks);
+  a.plain(s.time, s.steps, s.stage, s.step, s.flows, s.gas_point, s.jet_work, s.stage_ticks);
+  add(a, s.contact), add(a, s.skin_contact);
   add(a, s.level), add(a, s.peaks), add(a, s.start), add(a, s.gas), add(a, s.streams);
   a.plain(s.gas_events.last);
   a.whole(s.gas_events.opened);
   if (s.bag) add(a, *s.bag);
   if (s.pendulum) a.plain(*s.pendulum);
-  if (s.body) a.plain(*s.body);
+  if (s.body) add(a, *s.body);
   if (s.contact_cache) add(a, *s.contact_cache);
   if (s.skin_contact_cache) add(a, *scene.skin_contact, s);
   for (JetRun& jet : s.jets) add(a, jet);
@@ -149,7 +180,8 @@ std::string saved(const Simulation& simulation) {
   std::uint8_t evaluated = now.evaluated ? 1 : 0;
   archive.text(key);
   archive.list(controls);
-  archive.plain(progress, evaluated);
+  add(archive, progress);
+  archive.plain(evaluated);
   add(archive, simulation.scene(), state);
   const std::uint64_t sum = checksum(archive.written());
   return archive.written() + std::string(reinterpret_cast<const char*>(&sum), sizeof sum);
@@ -177,7 +209,8 @@ void restore(Simulation& simulation, std::string_view bytes) {
   for (const Control& control : controls) apply(fresh, control);
   LevelProgress progress = fresh.loop().progress();
   std::uint8_t evaluated = 0;
-  archive.plain(progress, evaluated);
+  add(archive, progress);
+  archive.plain(evaluated);
   State state = fresh.state();
   add(archive, fresh.scene(), state);
   if (!archive.at_end()) throw std::invalid_argument("state: has more bytes than were saved");
