@@ -14,7 +14,9 @@ LIBRARIES = {
     "libmembrane/mesh": ("mesh", {"elementary", "Eigen"}),
     "libcoupling": ("coupling", {"elementary", "Eigen", "experimental"}),
     "verification/closed_form": ("closed_form", {"gsl"}),
-    "verification/enclosure": ("enclosure", {"arb.h", "arb_mat.h", "arb_poly.h", "flint"}),
+    "verification/enclosure": ("enclosure", {
+        "acb.h", "acb_calc.h", "acb_elliptic.h", "acb_hypgeom.h", "acb_modular.h", "arb.h", "arb_hypgeom.h", "arb_mat.h", "arb_poly.h",
+        "flint"}),
 }
 NAMES = "(gas|membrane|mesh|jet|coupling|closed_form|enclosure|driver)"
 # CGAL's headers are slow to compile, and some of them are under the GPL.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints a closed form of the verification suite as CSV or JSON.
+#include "command_exact.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gsl/gsl_errno.h>
@@ -10,7 +12,6 @@
 
 #include "base/case_reader.hpp"
 #include "base/json_head.hpp"
-#include "closed_form/catalogue.hpp"
 #include "commands/command.hpp"
 #include "time_list.hpp"
 
@@ -18,18 +19,6 @@ namespace driver::commands {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-closed_form::ParameterMap parse_parameters(const std::vector<std::string>& texts) {
-  closed_form::ParameterMap parameters;
-  for (const auto& text : texts) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos) throw CaseError(fmt::format("--set {}: name=value is expected", text));
-    const double value = parse_number(std::string_view(text).substr(equals + 1), "--set " + text);
-    if (!parameters.emplace(text.substr(0, equals), value).second)
-      throw CaseError(fmt::format("--set {}: {} is given twice", text, text.substr(0, equals)));
-  }
-  return parameters;
-}
 
 void print_list() {
   for (const auto& entry : closed_form::catalogue()) {
@@ -39,13 +28,6 @@ void print_list() {
                  p.default_value ? fmt::format("={}", *p.default_value) : std::string(" (required)"));
     fmt::print("\n");
   }
-}
-
-// The columns of a printed table: those that depend on the abscissa.
-std::vector<std::string> table_columns(const closed_form::Entry& entry) {
-  auto columns = entry.columns;
-  std::erase_if(columns, [&](const std::string& name) { return entry.is_constant(name); });
-  return columns;
 }
 
 // The output of a closed form. Values that do not depend on the abscissa are outside the table, so that the
@@ -73,7 +55,10 @@ void print_page() {
       "them as CSV or JSON (`--format`); SI units; the digits are those that are correct. `--times` gives\n"
       "the values of the first column, which is the time or what the form says. "
       "A value beside the table does not\ndepend on it: a `#` line of the CSV. "
-      "Parameters outside their validity are refused.\n");
+      "Parameters outside their validity are refused.\n\n"
+      "`--proved` prints lower and upper bounds of the formula, [with "
+      "proof](theory/enclosure.md#closed-forms); "
+      "`gasjet exact\n--list --proved` prints which forms have them.\n");
   std::string family;
   for (const auto& entry : closed_form::catalogue()) {
     if (entry.family != family) fmt::print("\n## {}\n", family = entry.family);
@@ -158,6 +143,24 @@ int list(const ExactArguments& a) {
 }
 
 }  // namespace
+
+closed_form::ParameterMap parse_parameters(const std::vector<std::string>& texts) {
+  closed_form::ParameterMap parameters;
+  for (const auto& text : texts) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos) throw CaseError(fmt::format("--set {}: name=value is expected", text));
+    const double value = parse_number(std::string_view(text).substr(equals + 1), "--set " + text);
+    if (!parameters.emplace(text.substr(0, equals), value).second)
+      throw CaseError(fmt::format("--set {}: {} is given twice", text, text.substr(0, equals)));
+  }
+  return parameters;
+}
+
+std::vector<std::string> table_columns(const closed_form::Entry& entry) {
+  auto columns = entry.columns;
+  std::erase_if(columns, [&](const std::string& name) { return entry.is_constant(name); });
+  return columns;
+}
 
 int exact(const ExactArguments& arguments) {
   gsl_set_error_handler_off();  // closed forms check their results; GSL's own handler would end the program

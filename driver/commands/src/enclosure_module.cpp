@@ -7,21 +7,42 @@
 #include "base/case_reader.hpp"
 
 namespace driver::commands {
+namespace {
 
-enclosure::Tube enclose_by_module(const enclosure::Scene& scene, const enclosure::Request& request) {
+/// The function of this name and type in the module.
+template <class Function>
+Function* of_module(const char* name) {
   // By the program's own search path, in the build folder as installed.
   void* module = dlopen(GASJET_ENCLOSURE_MODULE, RTLD_NOW | RTLD_LOCAL);
   if (!module)
     throw CaseError(fmt::format(
-        "enclose: no ball arithmetic: {}; if it is not there, install Arb (Debian: libflint-arb-dev), then "
+        "no ball arithmetic: {}; if it is not there, install Arb (Debian: libflint-arb-dev), then "
         "configure and build again; if a library of it is not, install that (Debian: libflint-arb2)",
         dlerror()));
-  using Enclose = void(const enclosure::Scene&, const enclosure::Request&, enclosure::Tube&);
-  auto* enclose = reinterpret_cast<Enclose*>(dlsym(module, "gasjet_enclose"));
-  if (!enclose) throw CaseError(fmt::format("enclose: {} is of another program", GASJET_ENCLOSURE_MODULE));
+  auto* function = reinterpret_cast<Function*>(dlsym(module, name));
+  if (!function) throw CaseError(fmt::format("{} is of another program", GASJET_ENCLOSURE_MODULE));
+  return function;
+}
+
+}  // namespace
+
+enclosure::Tube enclose_by_module(const enclosure::Scene& scene, const enclosure::Request& request) {
   enclosure::Tube tube;
-  enclose(scene, request, tube);
+  of_module<void(const enclosure::Scene&, const enclosure::Request&, enclosure::Tube&)>("gasjet_enclose")(
+      scene, request, tube);
   return tube;
+}
+
+enclosure::ProvedForm prove_by_module(const enclosure::Question& question) {
+  enclosure::ProvedForm form;
+  of_module<void(const enclosure::Question&, enclosure::ProvedForm&)>("gasjet_prove")(question, form);
+  return form;
+}
+
+std::map<std::string, std::string> formula_names_by_module() {
+  std::map<std::string, std::string> names;
+  of_module<void(std::map<std::string, std::string>&)>("gasjet_formula_names")(names);
+  return names;
 }
 
 }  // namespace driver::commands

@@ -130,6 +130,8 @@ void add_others(CLI::App& app, Arguments& all) {
   exact->add_option("--set", all.exact.parameters, "name=value, one --set for each")->allow_extra_args(false);
   exact->add_option("--times", all.exact.times, "abscissae, first:last:step")
       ->check(not_empty("first:last:step"));
+  exact->add_flag("--proved", all.exact.proved,
+                  "lower and upper bounds of the formula, by ball arithmetic; with --list, of which forms");
   exact->add_option("--format", all.exact.format, "csv or json; of --list markdown or json")
       ->check(CLI::IsMember({"csv", "json", "markdown"}));
 }
@@ -153,7 +155,8 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   c->add_option("REFERENCE", a.reference,
                 "history (CSV) with a column <name>_band for each band, or ensemble.csv")
       ->required();
-  c->add_flag("--enclosure", a.enclosure, "REFERENCE has proved bounds, printed by `gasjet enclose`");
+  c->add_flag("--enclosure", a.enclosure,
+              "REFERENCE has proved bounds, of `gasjet enclose` or `exact --proved`");
   c->add_option("--map", a.map, "names, units and offsets of MINE's columns (TOML)")->check(named);
   c->add_option("--columns", a.columns, "quantities to compare, separated by commas; all by default")
       ->allow_extra_args(false);
@@ -231,7 +234,7 @@ int dispatch(const CLI::App& app, const Arguments& all, const MakeCrew& crew) {
   if (app.got_subcommand("compare")) return compare(all.compare);
   if (app.got_subcommand("report")) return report(all.report);
   if (app.got_subcommand("study")) return dispatch_study(*app.get_subcommand("study"), all.study, crew);
-  if (app.got_subcommand("exact")) return exact(all.exact);
+  if (app.got_subcommand("exact")) return all.exact.proved ? prove(all.exact) : exact(all.exact);
   if (app.got_subcommand("enclose")) return enclose(all.enclose);
   if (app.got_subcommand("export")) return export_deck(all.export_deck);
   if (app.got_subcommand("import")) return import_deck(all.import_deck);

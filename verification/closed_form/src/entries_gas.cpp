@@ -63,7 +63,7 @@ std::vector<Entry> tanks() {
           .results(vented_fill_steady, {{"slow_eigenvalue_1_s", &VentedFillSteady::slow_eigenvalue},
                                         {"fast_eigenvalue_1_s", &VentedFillSteady::fast_eigenvalue}}),
       Form<AdiabaticPiston>("adiabatic_piston", "Reversible adiabatic compression or expansion",
-                            "p V^gamma = p0 V0^gamma", "textbook result", "V > 0", 15)
+                            "p V^gamma = p0 V0^gamma", "textbook result", "V > 0", 14)
           .fields(gas(), tank(1e-3, 101325.0, 293.15))
           .over("volume_m3", range(0.125e-3, 1e-3, 70))
           .results(adiabatic_piston, history(&PistonState::state))

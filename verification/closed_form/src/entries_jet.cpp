@@ -46,7 +46,7 @@ std::vector<Entry> jets() {
   return {
       Form<RoundJet>("round_jet", "Round jet over axial distance",
                      "Vm/V0 = min(1, 0.96/(a z/R0 + 0.29)); R = sqrt 2 R0 V0/Vm; V = Vm exp(-r^2/R^2)",
-                     kAbramovich, "z >= 0", 15)
+                     kAbramovich, "z >= 0", 12)
           .fields(outlet(0.08), radius(0.05, "radius of the outlet"))
           .number("offset", "r", "m", 0.0, "distance from the axis of the last column")
           .over("distance_m", range(0.0, 2.0, 40))
@@ -55,7 +55,7 @@ std::vector<Entry> jets() {
       Form<PlaneJet>(
           "plane_jet", "Plane jet over axial distance",
           "Vm/V0 = min(1, 1.2/sqrt(a z/b0 + 0.41)); b = 2 sqrt(2/pi) b0 (V0/Vm)^2; V = Vm exp(-y^2/b^2)",
-          kAbramovich, "z >= 0", 15)
+          kAbramovich, "z >= 0", 12)
           .fields(outlet(0.11))
           .field(&PlaneJet::half_width, "half_width", "b0", "m", 0.01, "half the short side of the outlet")
           .field(&PlaneJet::length, "length", "L", "m", 0.2, "long side of the outlet")

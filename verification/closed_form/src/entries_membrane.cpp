@@ -89,7 +89,7 @@ std::vector<Entry> inflated_shapes() {
               .results(fixed_length_cylinder, cylinder_columns()),
           Form<StretchedCylinder>(
               "cylinder_closed_ends", "Long cylindrical balloon with closed ends over overpressure",
-              "S_h = p R lambda_z/h; lambda_z S_z = p R lambda_h^2/(2 h)", kStVK, "moderate stretch", 14)
+              "S_h = p R lambda_z/h; lambda_z S_z = p R lambda_h^2/(2 h)", kStVK, "moderate stretch", 13)
               .fields(sheet(), radius(0.15))
               .over("overpressure_Pa", range(0.0, 4e4, 40))
               .results(closed_cylinder, cylinder_columns())};
@@ -137,7 +137,7 @@ std::vector<Entry> logarithmic_bags() {
   return {Form<StretchedSphere>(
               "sphere_inflation_hencky", "Spherical balloon of the Hencky law over overpressure",
               "p R0 = 2 h E/(1-nu) ln(lambda)/lambda; W = E/(1-nu) (lambda^2 (ln(lambda) - 1/2) + 1/2)",
-              kLogarithmicLaw, kLogarithmicValidity, 14)
+              kLogarithmicLaw, kLogarithmicValidity, 13)
               .fields(sheet(), radius(0.3))
               .over("overpressure_Pa", range(0.0, 8e4, 80))
               .results(logarithmic_sphere, {{"stretch", &LogarithmicBag::hoop_stretch},
@@ -147,7 +147,7 @@ std::vector<Entry> logarithmic_bags() {
               "cylinder_fixed_length_hencky",
               "Cylindrical balloon of the Hencky law and of fixed length over overpressure",
               "p R0 lambda = h (K m + G m^2 + G m), m = ln(lambda)/2, K = E/(1-nu), G = E/(1+nu)",
-              kLogarithmicLaw, kLogarithmicValidity, 14)
+              kLogarithmicLaw, kLogarithmicValidity, 13)
               .fields(sheet(), radius(0.15))
               .over("overpressure_Pa", range(0.0, 6e4, 60))
               .results(logarithmic_fixed_cylinder, logarithmic_cylinder_columns()),
@@ -155,7 +155,7 @@ std::vector<Entry> logarithmic_bags() {
               "cylinder_closed_ends_hencky",
               "Long cylindrical balloon of the Hencky law with closed ends over overpressure",
               "sigma_h = 2 sigma_z = p R0 lambda_h/h; sigma = K m + G r^2 +- G r, ln(lambda) = m +- r",
-              kLogarithmicLaw, kLogarithmicValidity, 14)
+              kLogarithmicLaw, kLogarithmicValidity, 13)
               .fields(sheet(), radius(0.15))
               .over("overpressure_Pa", range(0.0, 6e4, 60))
               .results(logarithmic_closed_cylinder, logarithmic_cylinder_columns()),

@@ -57,7 +57,8 @@ PendulumConstants pendulum_constants(const Pendulum& pendulum) {
   constants.impactor_acceleration_per_force = impactor * impactor / inertia;
   constants.effective_mass = inertia / (impactor * impactor);
   constants.centre_of_percussion = inertia / (m * arm);
-  constants.pivot_impulse_ratio = 1.0 - m * arm * impactor / inertia;
+  // 1 - m L L_i/I_O, whose terms cancel near the centre of percussion.
+  constants.pivot_impulse_ratio = (pendulum.cg_inertia + m * arm * (arm - impactor)) / inertia;
   return constants;
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`gasjet enclose`, in a build that has it."""
 
+import json
 from fractions import Fraction
 
 import tubes
@@ -54,3 +55,32 @@ def test_refusals_say_why():
     ):
         done = gasjet("enclose", *words)
         assert done.returncode == code and said in done.stderr, done.stdout + done.stderr
+
+
+def test_closed_forms_have_bounds(tmp_path):
+    """The printed form is inside its bounds to its digits; bounds are decimals that enclose known numbers."""
+    for words, tolerance in ((["blowdown", "--times", "0:0.35:0.01"], 1e-13), (["tank_fill", "--set", "V=0.05"], 1e-15)):
+        mine, proved = gasjet("exact", *words), gasjet("exact", *words, "--proved")
+        assert proved.returncode == 0, proved.stderr
+        (tmp_path / "mine.csv").write_text(mine.stdout, encoding="utf-8")
+        (tmp_path / "bounds.csv").write_text(proved.stdout, encoding="utf-8")
+        done = gasjet("compare", tmp_path / "mine.csv", tmp_path / "bounds.csv", "--enclosure", "--tolerance", tolerance)
+        assert done.returncode == 0, done.stdout + done.stderr
+    # j_01 / (2 pi) with 1 m of radius and 1 m/s: j_01 = 2.404825557695772768621631879... (NIST DLMF 10.21)
+    done = gasjet("exact", "drum_frequency", "--proved", "--format", "json", *"--set N=1 --set rho_h=1 --set a=1".split())
+    low, high = (Fraction(text) for text in json.loads(done.stdout)["rows"][0][0])
+    pi = Fraction("3.1415926535897932384626433832795")
+    assert low < Fraction("2.404825557695772768621631879") / (2 * pi) < high < low * (1 + Fraction("1e-20")), done.stdout
+
+
+def test_forms_without_bounds_say_why():
+    for words, said in (
+        (["clamped_disc"], "exact clamped_disc: --proved: a boundary value problem"),
+        (["tank_fill", "--set", "volume=-1"], "volume = -1"),
+        (["pendulum_swing", "--set", "theta0=0"], "pendulum_angle_rad has no narrow bounds where the first column is 0"),
+        (["--list", "--format", "markdown"], "prints --list only"),
+    ):
+        done = gasjet("exact", *words, "--proved")
+        assert done.returncode == 2 and said in done.stderr, done.stdout + done.stderr
+    assert "# not proved: period_s: an integral" in gasjet("exact", "gas_spring", "--proved").stdout
+    assert "hencky_membrane: not proved: a power series" in gasjet("exact", "--list", "--proved").stdout

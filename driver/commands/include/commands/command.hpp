@@ -132,8 +132,10 @@ struct ExactArguments {
   std::vector<std::string> parameters;  // name=value
   std::string times;                    // first:last:step
   std::string format;                   // csv (the default) or json; of the list markdown or json
+  bool proved = false;                  // bounds, which prove() prints
 };
 int exact(const ExactArguments& arguments);
+int prove(const ExactArguments& arguments);
 
 struct EncloseArguments {
   CaseArguments scene;
