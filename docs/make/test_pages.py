@@ -103,8 +103,10 @@ def test_verification(tmp_path):
     def drift(*rows):
         return "\n".join(claims.verification_drift(page, tables_of(claims.verification_tables, tmp_path, rows)))
     page = tables_of(claims.verification_tables, tmp_path, [NEAR, ORDER])
-    assert "| pressure [Pa] | 100001 | 100000 | 1.0e-05 | 1.0e-04 | order 4 | 1 | [Tank.fill](../verification/gas/tank_test.cpp) |" in page
+    assert "| pressure [Pa] | 100001 | 100000 | 1.0e-05 | 1.0e-04 | order 4 | 1 |  | [Tank.fill](../verification/gas/tank_test.cpp) |" in page
     assert "| mass | -4.00e-02 -1.00e-02 | 2.00 | 1.9 to 2.1 | of the scheme | 1 |" in page
+    proved = tables_of(claims.verification_tables, tmp_path, [changed(NEAR, 1, "blowdown.eq_closed_form_for_every_parameter")])
+    assert "| order 4 | 1 | [`blowdown`](exact.md) | [blowdown.eq" in proved and "(exact.md)" not in page
     # A sweep shows the check that uses most of its tolerance.
     assert "| 100005 | 100000 | 5.0e-05 | 1.0e-04 | order 4 | 2 |" in tables_of(claims.verification_tables, tmp_path, [NEAR, changed(NEAR, 6, "100005")])
     assert drift(NEAR, ORDER) == "" and "no test says this any more" in drift(NEAR) and "not in the report" in drift(NEAR, ORDER, changed(ORDER, 4, "x"))

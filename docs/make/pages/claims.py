@@ -15,8 +15,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+PROVED = pathlib.Path(__file__).with_name("proved.tsv")
 VERIFICATION, STABILITY = ROOT / "docs/verification.md", ROOT / "docs/stability.md"
-NEAR = "| equation | what | computed | exact | error | allowed | why this much | checks | test |\n" + "|---" * 9 + "|\n"
+NEAR = "| equation | what | computed | exact | error | allowed | why this much | checks | proved | test |\n" + "|---" * 10 + "|\n"
 ORDER = "| equation | what | errors | orders | band | why this band | checks | test |\n" + "|---" * 8 + "|\n"
 THRESHOLD = "| failure: case | formula | predicted | measured | ratio | allowed, and why | past it | test |\n" + "|---" * 8 + "|\n"
 
@@ -61,13 +62,28 @@ def share_used(row):
     return max(abs(2 * float(order) - low - high) / (high - low) for order in row[7].split())
 
 
+def proved_forms():
+    """Forms that have proved bounds, by the checks whose exact value is theirs: [(test, form, part of the quantity)]."""
+    text = "".join(path.read_text(encoding="utf-8") for path in sorted(ROOT.glob("verification/enclosure/formulas/*.txt")))
+    forms = set(re.findall(r"^(\w+)(?:\(\w+\))?:$", text, flags=re.M))
+    lines = [line.split("\t") for line in PROVED.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    if lost := {form for _, form, *_ in lines} - forms:
+        sys.exit(f"claims.py: no formula in verification/enclosure/formulas for {', '.join(sorted(lost))} of {PROVED.name}")
+    return [(test, form, part[0] if part else "") for test, form, *part in lines]
+
+
+def proved_cell(row, test):
+    form = next((form for name, form, part in proved_forms() if name == test and part in row[4]), None)
+    return f"[`{form}`](exact.md)" if form else ""
+
+
 def near_line(row, test, checks):
     """Error and tolerance are shares of the exact value, unless that is smaller than the tolerance (marked abs.)."""
     equation, what, why, computed, exact, tolerance = *row[3:6], *map(float, row[6:9])
     scale = abs(exact) if abs(exact) > tolerance else 1
     mark = " abs." if scale == 1 and exact != 1 else ""
     return (f"| {equation} | {what} | {computed:.9g} | {exact:.9g} | {abs(computed - exact) / scale:.1e}{mark} | {tolerance / scale:.1e}{mark} "
-            f"| {why} | {checks} | [{test}](../{row[2]}) |\n")
+            f"| {why} | {checks} | {proved_cell(row, test)} | [{test}](../{row[2]}) |\n")
 
 
 def order_line(row, test, checks):
@@ -162,15 +178,15 @@ def drift_of_orders(name, old, new):
 
 
 def verification_drift(page, tables):
-    def keyed(text):  # a number: equation, what, why, checks, test; orders: band too
-        return {(*cells[:2], *cells[6 if len(cells) == 9 else 4:]): cells for cells in cells_of(text)}
+    def keyed(text):  # a number: equation, what, why, checks, proved, test; orders: band too
+        return {(*cells[:2], *cells[6 if len(cells) == 10 else 4:]): cells for cells in cells_of(text)}
     old, new = keyed(page), keyed(tables)
     for key, cells in new.items():
         name = f"{cells[0]}: {cells[1]}"
         if key not in old:
             yield f"{name}: not in the report"
         else:
-            yield from (drift_of_numbers if len(cells) == 9 else drift_of_orders)(name, old[key], cells)
+            yield from (drift_of_numbers if len(cells) == 10 else drift_of_orders)(name, old[key], cells)
     for key in old.keys() - new.keys():
         if not re.search(r"(_long_test|ensemble_test)\.cpp", key[-1]):  # not of the fast tests
             yield f"{key[0]}: {key[1]}: no test says this any more"
