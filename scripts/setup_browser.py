@@ -15,7 +15,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIBRARY = ROOT / "build-browser" / "gsl" / "libgsl.a"
-PACKAGES = ["emscripten", "nodejs", "dpkg-dev", "brotli"]
+PACKAGES = ["emscripten", "nodejs", "dpkg-dev", "brotli", "zopfli"]
 FOLDERS = """block blas bspline cblas cdf complex eigen err integration linalg matrix multifit ode-initval2 permutation poly qrng
 randist rng roots sort specfunc statistics sys utils vector""".split()
 # What GSL's configure finds for musl and WebAssembly.
@@ -60,7 +60,7 @@ def compiled(source, folder, objects):
 
 
 def main():
-    if any(shutil.which(program) is None for program in ("emcc", "node", "dpkg-source", "brotli")):
+    if any(shutil.which(program) is None for program in ("emcc", "node", "dpkg-source", "brotli", "zopfli")):
         run(str(ROOT / "scripts" / "setup_debian12.sh"), *PACKAGES)
     if LIBRARY.exists():
         return

@@ -21,9 +21,10 @@ else()
   set(GASJET_GSL gsl gslcblas)
 endif()
 
-# Calls of C++'s own exceptions, and vectors of 16 bytes; libc++ 13 lacks a part of C++20.
+# Calls of C++'s own exceptions, and vectors of 16 bytes; libc++ 13 lacks a part of C++20. clang 14's SLP vectoriser writes one part
+# of v = A v before it has read it: free_headform went wrong by it (coupling::detail::Placed::depth).
 if(GASJET_GSL MATCHES "libgsl.a")
-  add_compile_options(-fwasm-exceptions -msimd128 "SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/old_libcxx.hpp")
+  add_compile_options(-fwasm-exceptions -msimd128 -fno-slp-vectorize "SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/old_libcxx.hpp")
   add_link_options(-fwasm-exceptions)
 endif()
 
@@ -56,7 +57,7 @@ macro(gasjet_provide_package method package)
     if(NOT TARGET gasjet_toml)
       add_library(gasjet_toml STATIC ${CMAKE_SOURCE_DIR}/cmake/alone/toml.cpp)
       target_compile_features(gasjet_toml PRIVATE cxx_std_20)
-      target_compile_options(gasjet_toml PRIVATE -w)
+      target_compile_options(gasjet_toml PRIVATE -w -Oz)
       target_include_directories(gasjet_toml SYSTEM PRIVATE ${GASJET_HEADERS})
       target_link_libraries(tomlplusplus::tomlplusplus INTERFACE gasjet_toml)
     endif()

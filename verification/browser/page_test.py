@@ -161,15 +161,60 @@ def test_dropped_files(page):
     wait(page, f"{MESSAGES}.includes('nowhere.obj')")
 
 
-def test_ensemble_and_ladder(page):
+def test_ensemble_and_ladder(page, tmp_path):
+    """16 runs in several workers have the bytes of 16 in one; the report draws their bands."""
     written(page, page.run("editor.text").replace("end_time = 0.1 ", "end_time = 0.01 "))
-    page.run("document.getElementById('report').srcdoc = ''")
+    page.run("{ jobs.cores = 3; runs.page = ''; }")  # shares of unequal size
     after(page, click("ensemble"), 300)
-    wait(page, "document.getElementById('report').srcdoc.includes('ensemble')")
+    wait(page, "runs.page", 60)
+    page.run("""jobs.run({ files: files(), commands: [["ensemble", "case.toml", "--runs", "16", "--out", "ensemble"]], take: ["ensemble"] })
+        .then(answer => window.alone = answer.files) && true""")
+    wait(page, "window.alone", 120)
+    tables = [page.run(f"""Object.fromEntries(Object.keys({where}).filter(name => name.endsWith('.csv')).map(name =>
+        [name, asText({where}[name]).replace(/^#.*\\n/gm, '')]))""") for where in ("alone", "runs.many")]
+    assert tables[0] == tables[1] and any("pressure_Pa_standard_error" in text for text in tables[0].values())
+    report = tmp_path / "report.html"
+    report.write_text(page.run("runs.page"))
+    with browser.Browser() as other:
+        other.open(report)
+        assert "ensemble of 16 runs" in other.run("document.body.innerText")
+        assert other.run("[...document.querySelectorAll('svg polygon')].filter(p => p.points.length > 20).length") >= 3
     choose(page, "rigid_tank")
     page.run("document.getElementById('report').srcdoc = ''")
     after(page, click("ladder"), 120)
     wait(page, "document.getElementById('report').srcdoc.includes('ladder')")
+
+
+def press(page, key, code, modifiers=0):
+    for kind in ("rawKeyDown", "keyUp"):
+        page.call("Input.dispatchKeyEvent", type=kind, key=key, code=key, windowsVirtualKeyCode=code, modifiers=modifiers)
+
+
+def test_by_keyboard(page):
+    """Tab reaches every control; Ctrl+Enter runs, Escape stops, arrows move a slider and choose a case."""
+    page.run("{ document.activeElement.blur(); window.seen = new Set(); }")
+    for _ in range(60):
+        press(page, "Tab", 9)
+        page.run("{ seen.add(document.activeElement); }")
+    controls = "[...document.querySelectorAll('main :is(button, input, select, textarea, summary):not(:disabled)')]"
+    assert page.run(f"{controls}.filter(c => !seen.has(c)).map(c => c.outerHTML)") == []
+    page.run("document.querySelector('#sliders input').focus()")
+    before = page.run("editor.text")
+    press(page, "ArrowRight", 39)
+    wait(page, f"editor.text !== {json.dumps(before)}")
+    wait(page, "!isBusy")
+    page.run("editor.area.focus()")
+    done = page.run(DONE)
+    press(page, "Enter", 13, modifiers=2)
+    wait(page, f"{DONE} > {done}")
+    assert page.run("document.activeElement === editor.area")
+    press(page, "Enter", 13, modifiers=2)
+    press(page, "Escape", 27)
+    wait(page, f"{STATUS} === 'stopped'")
+    page.run("document.getElementById('case').focus()")
+    chosen = page.run("document.getElementById('case').value")
+    press(page, "ArrowDown", 40)
+    wait(page, f"document.getElementById('case').value !== {json.dumps(chosen)} && {STATUS}.startsWith('done')")
 
 
 def test_fifty_runs_need_no_more_memory(page):

@@ -3,7 +3,7 @@
 "use strict";
 
 const at = id => document.getElementById(id);
-let cases = {}, jobs, runs, editor, sliders = [], extra = {}, checked = 0, checkBegan = 0, again = null, isBusy = false, chosenColumn = "", reportTimer = 0, opened = performance.now();
+let cases = {}, jobs, runs, editor, sliders = [], extra = {}, checked = 0, checkBegan = 0, again = null, isBusy = false, chosenColumn = "", reportTimer = 0;
 
 const status = (text, part) => {
   at("status").textContent = text;
@@ -121,7 +121,7 @@ const start = async kind => {
       reportSoon();
     }
     document.body.dataset.done = String(Number(document.body.dataset.done ?? 0) + 1);
-    document.body.dataset.first ??= String(performance.now() - opened);
+    document.body.dataset.first ??= String(performance.now());
   }
   const next = again;
   again = null;
@@ -223,10 +223,10 @@ const listen = () => {
 };
 
 (async () => {
-  const [compiled, data] = await Promise.all([unpacked(at("wasm").textContent).then(bytes => WebAssembly.compile(bytes)),
-    unpacked(at("data").textContent).then(bytes => JSON.parse(asText(bytes)))]);
+  const [compiled, script, data] = await Promise.all([unpacked(at("wasm").textContent).then(bytes => WebAssembly.compile(bytes)),
+    unpacked(at("worker").textContent), unpacked(at("data").textContent).then(bytes => JSON.parse(asText(bytes)))]);
   ({ cases, three, units: unitEndings } = data);
-  jobs = new Jobs(at("worker").textContent, compiled, Math.min(navigator.hardwareConcurrency || 2, 8));
+  jobs = new Jobs(script, compiled, Math.min(navigator.hardwareConcurrency || 2, 8));
   runs = new Runs(jobs);
   editor = new Editor(data.keys, textChanged);
   at("case").append(...Object.keys(cases).map(name => new Option(name, name)), new Option("your own", ""));

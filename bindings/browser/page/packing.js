@@ -3,7 +3,17 @@
 "use strict";
 
 const through = async (bytes, stream) => new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
-const unpacked = text => through(Uint8Array.from(atob(text), c => c.charCodeAt(0)), new DecompressionStream("gzip"));
+
+// What make_page.py packed: gzip, seven bits a character.
+const unpacked = text => {
+  const bytes = new Uint8Array(Math.floor(text.length * 7 / 8));
+  for (let i = 0, bits = 0, count = 0, size = 0; i < text.length; ++i) {
+    bits = (bits << 7) | (text.charCodeAt(i) & 127);
+    count += 7;
+    if (count >= 8) bytes[size++] = bits >> (count -= 8);
+  }
+  return through(bytes, new DecompressionStream("gzip"));
+};
 const asText = bytes => new TextDecoder().decode(bytes);
 
 const toLink = async value => {

@@ -9,6 +9,7 @@ class Runs {
     this.jobs = jobs;
     this.now = []; // { label, table, summary, files }
     this.old = []; // { table } of earlier ones
+    this.many = {}; // files of the last ensemble
     this.frame = document.getElementById("report");
   }
 
@@ -87,6 +88,7 @@ class Runs {
     const bad = answers.find(a => a.code !== 0 && Object.keys(a.files).length === 0);
     if (bad) return { says: bad.says, failed: true };
     const merged = await this.jobs.run({ files: Object.assign({}, files, ...answers.map(a => a.files)), commands: [command], take: ["ensemble"] }, { group: "run" });
+    this.many = merged.files;
     return merged.stopped ? merged : { says: merged.says, files: merged.files, failed: merged.code !== 0 };
   }
 

@@ -16,8 +16,10 @@
 #include "base/case_reader.hpp"
 #include "base/progress.hpp"
 #include "commands/command.hpp"
-#include "jet_tree/tree_route.hpp"
 #include "results/results.hpp"
+#ifndef GASJET_ALONE  // a small program does without the reference route of visibility
+#include "jet_tree/tree_route.hpp"
+#endif
 
 namespace driver::commands {
 namespace {
@@ -55,7 +57,9 @@ int program(int argc, char** argv, const MakeCrew& crew) {
   for (const int number : {SIGPIPE, SIGXFSZ})
     std::signal(number, SIG_IGN);  // the failing write reports the
                                    // error
+#ifndef GASJET_ALONE
   jet::add_tree_route();
+#endif
   try {
     return finish(run_command_line(argc, argv, crew));
   } catch (const CaseError& error) {
