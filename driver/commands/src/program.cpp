@@ -16,6 +16,7 @@
 #include "base/case_reader.hpp"
 #include "base/progress.hpp"
 #include "commands/command.hpp"
+#include "huge_pages.hpp"
 #include "results/results.hpp"
 #ifndef GASJET_ALONE  // a small program does without the reference route of visibility
 #include "jet_tree/tree_route.hpp"
@@ -53,6 +54,7 @@ void guard_standard_descriptors() {
 }  // namespace
 
 int program(int argc, char** argv, const MakeCrew& crew) {
+  use_huge_heap();
   guard_standard_descriptors();
   for (const int number : {SIGPIPE, SIGXFSZ})
     std::signal(number, SIG_IGN);  // the failing write reports the
