@@ -98,18 +98,21 @@ void add_point(const Element& element, const Body& impactor, int number, double 
   add_friction(element, {number, {shape[0], shape[1], shape[2]}, x, inside->normal(), depth}, *grip, sums);
 }
 
-// Adds the points (j + offset)/n of one row that can lie in the impactor, and one more on either side.
-// `number` is the number of point j = 0.
+// Adds the points (j + offset)/n of one row; of a long one only those that can lie in the impactor, and one
+// more on either side. A chord costs as much as some eight points. `number` is the number of point j = 0.
 template <class Body>
 void add_row(const Element& element, const Body& impactor, int row, double offset, int count, int number,
              Grip* grip, ElementSums& sums) {
   const double n = element.subdivision;
   const double eta = (row + offset) / n;
-  const auto inside = impactor.inside(element.origin + eta * element.second, element.first);
-  if (!inside) return;
-  const double low = inside->begin * n - offset - 1.0, high = inside->end * n - offset + 1.0;
-  const int begin = static_cast<int>(std::clamp(std::ceil(low), 0.0, static_cast<double>(count)));
-  const int end = static_cast<int>(std::clamp(std::floor(high) + 1.0, 0.0, static_cast<double>(count)));
+  int begin = 0, end = count;
+  if (constexpr int long_row = 8; count > long_row) {
+    const auto inside = impactor.inside(element.origin + eta * element.second, element.first);
+    if (!inside) return;
+    const double low = inside->begin * n - offset - 1.0, high = inside->end * n - offset + 1.0;
+    begin = static_cast<int>(std::clamp(std::ceil(low), 0.0, static_cast<double>(count)));
+    end = static_cast<int>(std::clamp(std::floor(high) + 1.0, 0.0, static_cast<double>(count)));
+  }
   for (int j = begin; j < end; ++j)
     add_point(element, impactor, number + j, (j + offset) / n, eta, grip, sums);
 }

@@ -165,8 +165,20 @@ Surface of_target(const TargetPicture& target, const State& state) {
           std::vector<double>(static_cast<std::size_t>(target.triangles().cols())), target.loads(state), 0.0};
 }
 
+// Least and largest, in four independent chains, which the processor can overlap.
+std::pair<double, double> range_of(std::span<const double> values) {
+  if (values.empty()) return {0.0, 0.0};
+  double low[4], high[4];
+  std::fill_n(low, 4, values[0]);
+  std::fill_n(high, 4, values[0]);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    low[i % 4] = std::min(low[i % 4], values[i]);
+    high[i % 4] = std::max(high[i % 4], values[i]);
+  }
+  return {*std::min_element(low, low + 4), *std::max_element(high, high + 4)};
+}
 double step_of(std::span<const double> values) {
-  return values.empty() ? 0.0 : *std::ranges::max_element(values) / kTop;
+  return range_of(values).second / kTop;
 }
 
 }  // namespace
@@ -189,7 +201,7 @@ void FrameWriter::write(const State& state) {
   const std::size_t nodes = surface.speed.size(), elements = surface.strain.size();
   const Eigen::Vector3d low = position.rowwise().minCoeff(), high = position.rowwise().maxCoeff();
   const double step = (high - low).maxCoeff() / kTop;
-  const auto [least, largest] = std::ranges::minmax(surface.strain);
+  const auto [least, largest] = range_of(surface.strain);
   const double strain_step = (largest - least) / kTop;
   const Eigen::Vector3d impactor = state.level.impactor.centre;
   const double speed_step = step_of(surface.speed), jet_step = step_of(surface.jets.overpressure);

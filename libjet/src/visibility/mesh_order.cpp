@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 namespace jet {
@@ -103,12 +102,14 @@ OrderedMesh::OrderedMesh(std::span<const Triangle> mesh)
     rank[static_cast<std::size_t>(elements[i])] = static_cast<int>(i);
   elements.resize(8 * static_cast<std::size_t>(patches), elements.back());
   const auto triangle = [&](std::size_t place) { return mesh[static_cast<std::size_t>(elements[place])]; };
+  std::vector<int> nodes;
   for (std::size_t i = 0; i < elements.size(); i += 8) {
-    std::set<int> nodes;
+    nodes.clear();
     for (std::size_t j = i; j < i + 8; ++j)
-      for (const int node : triangle(j)) nodes.insert(node);
+      for (const int node : triangle(j)) nodes.push_back(node);
+    std::sort(nodes.begin(), nodes.end());
     patch_begin.push_back(static_cast<int>(patch_nodes.size()));
-    patch_nodes.insert(patch_nodes.end(), nodes.begin(), nodes.end());
+    patch_nodes.insert(patch_nodes.end(), nodes.begin(), std::unique(nodes.begin(), nodes.end()));
     patch_nodes.resize((patch_nodes.size() + 3) / 4 * 4, patch_nodes.back());
     for (std::size_t corner = 0; corner < 3; ++corner)
       for (std::size_t j = i; j < i + 8; ++j)

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <map>
+#include <mutex>
 #include <numeric>
 
 #include "checks.hpp"
@@ -76,10 +77,14 @@ struct VisibilityQuery::Mesh {
   std::vector<std::array<int, 3>> triangles{};  // they index `used` if there are unused nodes
   std::vector<Role> roles{};
   std::vector<int> used{};  // nodes that elements use; empty if all are used
-  std::shared_ptr<const OrderedMesh> order{};
 
   int count() const { return static_cast<int>(triangles.size()); }
   int used_count() const { return used.empty() ? node_count : static_cast<int>(used.size()); }
+  /// Made by the first of the queries that needs it.
+  const std::shared_ptr<const OrderedMesh>& order() const {
+    std::call_once(once_, [&] { order_ = std::make_shared<const OrderedMesh>(triangles); });
+    return order_;
+  }
 
   /// Renumbers the triangles if some nodes belong to no element, so that these are never read.
   void leave_out_unused() {
@@ -100,6 +105,10 @@ struct VisibilityQuery::Mesh {
       roles[static_cast<std::size_t>(e)] = role;
     }
   }
+
+ private:
+  mutable std::once_flag once_{};
+  mutable std::shared_ptr<const OrderedMesh> order_{};
 };
 
 struct VisibilityQuery::Impl {
@@ -113,7 +122,10 @@ struct VisibilityQuery::Impl {
   void prepare() {
     if (fast) return;
     fast.emplace();
-    fast->prepare(mesh->order, static_cast<std::size_t>(mesh->used_count()), closed);
+    fast->prepare(mesh->order(), static_cast<std::size_t>(mesh->used_count()), closed);
+    make_copy();
+  }
+  void make_copy() {
     if (!mesh->used.empty()) copy.resize(3, mesh->used_count());
   }
 
@@ -154,7 +166,6 @@ VisibilityQuery::VisibilityQuery(const Triangles& triangles, int node_count, con
   Mesh::assign(mesh->roles, roles.null_elements, "null element", Role::null_panel);
   mesh->leave_out_unused();
   mesh->closed = is_closed(mesh->triangles);
-  mesh->order = std::make_shared<const OrderedMesh>(mesh->triangles);
   impl_ = std::make_unique<Impl>(Impl{mesh, {mesh, &mesh->roles}, mesh->closed});
 }
 
@@ -215,7 +226,7 @@ std::vector<std::optional<int>> VisibilityQuery::winding_numbers(const Points& n
   impl_->check(nodes, source, candidates);
   std::vector<std::optional<int>> numbers(candidates.size());
   if (!impl_->closed) return numbers;
-  impl_->prepare();
+  impl_->make_copy();
   const Surface surface = impl_->surface(nodes);
   check_nodes(surface);
   const winding::Box box = winding::bounding_box(surface);

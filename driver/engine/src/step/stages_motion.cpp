@@ -12,7 +12,19 @@ namespace {
 
 // Largest distance of a node from where it started [m].
 double skin_displacement(const Scene& scene, const State& state) {
-  return (state.bag->position.map() - scene.bag->initial_position).colwise().norm().maxCoeff();
+  return std::sqrt(
+      (state.bag->position.map() - scene.bag->initial_position).colwise().squaredNorm().maxCoeff());
+}
+
+// Power of the jets' forces [W]. Of the other nodes, which are most, the force is zero.
+double jet_power(const membrane::BagState& bag) {
+  double power = 0.0;
+  for (std::size_t node = 0; node < bag.has_jet_force.size(); ++node) {
+    if (!bag.has_jet_force[node]) continue;
+    const double *force = bag.jet_force.data() + 4 * node, *velocity = bag.velocity.data() + 4 * node;
+    for (int c = 0; c < 3; ++c) power += force[c] * velocity[c];
+  }
+  return power;
 }
 
 // Potential energy of the weight at the current positions [J].
@@ -181,11 +193,10 @@ void look_at_level(const Scene& scene, State& state) {
   Level& level = state.level;
   level.displacement = skin_displacement(scene, state);
   level.skin_gravity = skin_gravity(scene, state);
-  const auto velocity = state.bag->velocity.map();
-  if (!state.jets.empty()) level.jet_power = state.bag->jet_force.map().cwiseProduct(velocity).sum();
+  if (!state.jets.empty()) level.jet_power = jet_power(*state.bag);
   if (scene.bag->overpressure)
-    level.pressure_power =
-        state.bag->gauge_pressure * state.bag->volume_gradient.map().cwiseProduct(velocity).sum();
+    level.pressure_power = state.bag->gauge_pressure *
+                           state.bag->volume_gradient.map().cwiseProduct(state.bag->velocity.map()).sum();
 }
 
 }  // namespace driver

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -13,22 +14,29 @@ namespace {
 /// Nodes that an edge joins, as contact of the skin has them.
 class Neighbours {
  public:
-  explicit Neighbours(const TrianglesView& triangles) {
+  /// Precondition: there is a triangle.
+  explicit Neighbours(const TrianglesView& triangles)
+      : joined_(3 * static_cast<std::size_t>(triangles.size())) {
+    begin_.assign(static_cast<std::size_t>(triangles.maxCoeff()) + 2, 0);
+    for (const int node : triangles.reshaped()) begin_[static_cast<std::size_t>(node) + 1] += 3;
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    auto next = begin_;
     for (Eigen::Index e = 0; e < triangles.cols(); ++e)
       for (const int a : triangles.col(e))
-        for (const int b : triangles.col(e)) joined_.emplace_back(a, b);
-    std::ranges::sort(joined_);
+        for (const int b : triangles.col(e)) joined_[next[static_cast<std::size_t>(a)]++] = b;
   }
   /// True if a node of one element is one of the other, or joined to it.
   bool are(const Eigen::Vector3i& first, const Eigen::Vector3i& second) const {
     return std::ranges::any_of(first, [&](int a) {
-      return std::ranges::any_of(second,
-                                 [&](int b) { return std::ranges::binary_search(joined_, std::pair(a, b)); });
+      const auto node = static_cast<std::size_t>(a);
+      return std::any_of(joined_.data() + begin_[node], joined_.data() + begin_[node + 1],
+                         [&](int b) { return (second.array() == b).any(); });
     });
   }
 
  private:
-  std::vector<std::pair<int, int>> joined_;  // ascending
+  std::vector<std::size_t> begin_;  // in joined_, of each node's
+  std::vector<int> joined_;         // nodes of the elements at each node, repeated
 };
 
 }  // namespace
