@@ -12,6 +12,7 @@
   jet_decay     centreline decay, spreading and entrainment of the jet model against bands of measured jets (docs/theory/jet.md), and
                 against three measured jets, cold, hot and sonic (docs/theory/jet_decay.md)
   jet_push      restitution that computed flows in closed cavities have, from docs/data (docs/theory/jet_push.md)
+  growth        CPU time and memory of the paper's scene from 2744 to 2.8 million elements, with the exponents; some minutes
   damaged       what damaged input does: an hour of the fuzzers, 10,000 damaged cases and 5,000 damaged decks by class
   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
   concepts      drawings of what words say poorly
@@ -34,6 +35,7 @@ import benchmarks  # noqa: E402
 import decay  # noqa: E402
 import detection  # noqa: E402
 import forecast  # noqa: E402
+import growth  # noqa: E402
 import heat_loss  # noqa: E402
 import limits  # noqa: E402
 import studies  # noqa: E402
@@ -211,6 +213,10 @@ def heat_losses():
     keep("heat_loss", provenance() + "".join(line + "\n" for line in heat_loss.lines()), None)
 
 
+def growths():
+    keep("growth", machine("one thread used") + build_version() + "".join(line + "\n" for line in growth.lines()), None)
+
+
 def ablations():
     keep("jet_ablation", ablation.text(), None)
 
@@ -223,7 +229,7 @@ def benchmark(name):
 # ---
 
 CHARTS = {**{name: ladder for name in LADDERS}, **{name: benchmark for name in benchmarks.CHARTS}, "forecast": forecasts, "detection": detections,
-          "heat_loss": heat_losses, "ablation": ablations, **{chart.__name__: chart for chart in (ladders, jet_cost, jet_effect, figure_3, jet_decay, jet_push, damaged, frames,
+          "heat_loss": heat_losses, "growth": growths, "ablation": ablations, **{chart.__name__: chart for chart in (ladders, jet_cost, jet_effect, figure_3, jet_decay, jet_push, damaged, frames,
                                                                         concepts, unfolding, examples)}}
 PLANS = sorted(plan.stem for plan in ROOT.glob("cases/studies/*.toml"))
 

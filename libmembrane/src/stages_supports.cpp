@@ -8,15 +8,23 @@ namespace membrane {
 
 namespace {
 
+// The only coordinate in which a plate's normal is not 0; -1 if there are more.
+int only_axis(const Eigen::Vector3d& normal) {
+  for (int c = 0; c < 3; ++c)
+    if (normal[(c + 1) % 3] == 0.0 && normal[(c + 2) % 3] == 0.0) return c;
+  return -1;
+}
+
 // Adds one plate's force to the nodes [first, last), and its energy and resultant to the sums (M.8).
+// `depth_of` takes a node's position.
+template <class DepthOf>
 void add_plate(const BagModel& model, BagState& state, const Plate& plate, int first, int last,
-               ForceSums& sums) {
+               ForceSums& sums, const DepthOf& depth_of) {
   const double* x = state.position.data();
   double* force = state.support_force.data();
   double total = 0.0;
   for (int n = first; n < last; ++n) {
-    const Eigen::Map<const Eigen::Vector3d> node(x + 4 * n);
-    const double depth = plate.normal.dot(plate.point - node);
+    const double depth = depth_of(x + 4 * n);
     if (depth <= 0.0) continue;
     const double push = *plate.stiffness * model.node_area[static_cast<std::size_t>(n)] * depth;
     Eigen::Map<Eigen::Vector3d>(force + 4 * n) += push * plate.normal;
@@ -24,6 +32,19 @@ void add_plate(const BagModel& model, BagState& state, const Plate& plate, int f
     total += push;
   }
   sums.plate_force += total * plate.normal;
+}
+
+// The same bits either way, but along an axis for a third of the cost.
+void add_plate(const BagModel& model, BagState& state, const Plate& plate, int first, int last,
+               ForceSums& sums) {
+  if (const int c = only_axis(plate.normal); c >= 0)
+    return add_plate(model, state, plate, first, last, sums,
+                     [c, normal = plate.normal[c], level = plate.point[c]](const double* x) {
+                       return normal * (level - x[c]);
+                     });
+  add_plate(model, state, plate, first, last, sums, [&](const double* x) {
+    return plate.normal.dot(plate.point - Eigen::Map<const Eigen::Vector3d>(x));
+  });
 }
 
 // Adds one strap's forces, sets its tension and returns its energy (M.7).

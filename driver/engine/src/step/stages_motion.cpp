@@ -191,12 +191,12 @@ double work_before_level(const StepSizes& step, double power_before, double work
 void look_at_level(const Scene& scene, State& state) {
   if (!state.bag) return;
   Level& level = state.level;
-  level.displacement = skin_displacement(scene, state);
   level.skin_gravity = skin_gravity(scene, state);
   if (!state.jets.empty()) level.jet_power = jet_power(*state.bag);
-  if (scene.bag->overpressure)
-    level.pressure_power = state.bag->gauge_pressure *
-                           state.bag->volume_gradient.map().cwiseProduct(state.bag->velocity.map()).sum();
+  if (!scene.bag->overpressure) return;
+  level.displacement = skin_displacement(scene, state);
+  level.pressure_power = state.bag->gauge_pressure *
+                         state.bag->volume_gradient.map().cwiseProduct(state.bag->velocity.map()).sum();
 }
 
 }  // namespace driver
