@@ -181,7 +181,7 @@ def test_ensemble_and_ladder(page, tmp_path):
         assert other.run("[...document.querySelectorAll('svg polygon')].filter(p => p.points.length > 20).length") >= 3
     choose(page, "rigid_tank")
     page.run("document.getElementById('report').srcdoc = ''")
-    after(page, click("ladder"), 120)
+    after(page, click("ladder"), 300)
     wait(page, "document.getElementById('report').srcdoc.includes('ladder')")
 
 
