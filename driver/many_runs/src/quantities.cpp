@@ -6,23 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <iterator>
 
 #include "base/case_reader.hpp"
 #include "engine/channel_filter.hpp"
 #include "engine/columns.hpp"
 #include "engine/scene_features.hpp"
+#include "engine/stage_clock.hpp"
 #include "results/acceleration_record.hpp"
 
 namespace driver {
 namespace {
-
-double thread_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Quantity {
   const char* name;
@@ -145,7 +139,7 @@ bool has_quantity(const Scene& scene, const std::string& name) {
 }
 
 RecordedRun record_run(const Scene& scene) {
-  const double start = thread_cpu_seconds();
+  const double start = cpu_seconds(true);
   State state = make_state(scene);
   RecordedRun run;
   AccelerationRecord acceleration;
@@ -154,7 +148,7 @@ RecordedRun record_run(const Scene& scene) {
     if (recorded) run.rows.push_back(row(columns, scene, now));
     if (scene.has_impactor()) acceleration.add(recorded, now);
   });
-  run.cpu_seconds = thread_cpu_seconds() - start;
+  run.cpu_seconds = cpu_seconds(true) - start;
   for (const int channel_class : scene.has_impactor() ? classes_of(scene) : std::vector<int>{}) {
     const std::vector<double> values = acceleration.at_rows(channel_class);
     for (std::size_t i = 0; i < values.size(); ++i) run.rows[i].push_back(values[i]);
