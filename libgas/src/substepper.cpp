@@ -30,6 +30,14 @@ constexpr double kThroughLaminar = 2.0;
 // origin.
 constexpr double kRootBegin = 1e-12;
 
+/// Longest sub-step after an onset [s], as what flows in the laminar range is missed by stages beyond it.
+double through_laminar(const Balance& balance, const Moment& now) {
+  const double laminar = laminar_overpressure(balance.boundary().model());
+  if (std::abs(now.overpressure) > laminar || std::abs(balanced_overpressure(balance)) < 10.0 * laminar)
+    return kInfinity;
+  return kThroughLaminar * laminar / std::abs(now.growth);
+}
+
 }  // namespace
 
 Substepper::Substepper(const Boundary& boundary, Ledger& ledger, const TriggerNetwork& network,
@@ -83,16 +91,6 @@ void Substepper::set_relaxation(double length) {
   begin_.relaxation = relaxation(system_.balance, may_switch_ ? kStiff / length : 0.0);
 }
 
-/// Longest sub-step after an onset, as what flows in the laminar range is missed by stages beyond it.
-double Substepper::through_laminar() const {
-  const Moment& now = begin_.moment;
-  const double laminar = laminar_overpressure(system_.balance.boundary().model());
-  if (!system_.clock.root || std::abs(now.overpressure) > laminar ||
-      std::abs(balanced_overpressure(system_.balance)) < 10.0 * laminar)
-    return kInfinity;
-  return system_.clock.position(begin_.t + kThroughLaminar * laminar / std::abs(now.growth)) - begin_.x;
-}
-
 Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   const Clock& clock = system_.clock;
   const double left = clock.position(b) - begin_.x,
@@ -100,8 +98,11 @@ Substepper::Reach Substepper::reach(const Proposal& proposal, double b) const {
   const double longest = cap < b - begin_.t ? clock.position(begin_.t + cap) - begin_.x : kInfinity;
   const double share = control_.is_ending(system_.balance, begin_.moment) ? 1.0 : kTowardsAmbient;
   const double free = std::min(proposal.length, share * events_.until_ambient(begin_.moment));
-  const double within = std::min(free, through_laminar());
-  const double length = std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : within});
+  const double slow =
+      clock.root ? clock.position(begin_.t + through_laminar(system_.balance, begin_.moment)) - begin_.x
+                 : kInfinity;
+  const double length =
+      std::min({longest, proposal.landing, control_.is_fixed() ? kInfinity : std::min(free, slow)});
   return length >= left ? Reach{left, b} : Reach{length, clock.time(begin_.x + length)};
 }
 

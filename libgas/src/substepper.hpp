@@ -52,7 +52,6 @@ class Substepper {
   void start(double t, double b);
   void start_clock(double b);
   void set_relaxation(double length);
-  double through_laminar() const;
   Reach reach(const Proposal& proposal, double b) const;
   void stop_at_ambient(double x);
   double try_step(const Reach& reach, bool stiff);

@@ -138,7 +138,7 @@ double strap_mobility(const BagModel& model, const BagState& state) {
 }
 
 double bounce_time_step(const BagModel& model) {
-  constexpr double most = 2.0;  // (omega dt)^2 of straps and plates that open and close many times
+  constexpr double most = 1.5;  // (omega dt)^2 of straps and plates that open and close many times
   const double frequency = model.strap_frequency + model.plate_frequency;
   return frequency > 0.0 ? std::sqrt(most / frequency) : std::numeric_limits<double>::infinity();
 }

@@ -78,12 +78,13 @@ TEST(Supports, plate_without_stiffness_adds_its_share) {
   EXPECT_NEAR(model.plate_frequency / model.fabric_frequency, 0.25, 16 * scenes::kEps);
 }
 
-// (M.24) omega^2 dt^2 = 2: a bounce by (M.23) then gains 1 / (1 - 2 / 4) = 2 at most.
-TEST(Supports, bounce_at_its_step_doubles_the_energy_at_most) {
+// (M.24) omega^2 dt^2 = 1.5: a bounce by (M.23) then leaves with 1 / (1 - 1.5 / 4) = 1.6 of its energy at
+// most.
+TEST(Supports, bounce_at_its_step_gains_at_most_60_percent) {
   auto d = supported_sphere();
   const auto model = make_model(d);
   const double dt = membrane::bounce_time_step(model);
-  EXPECT_NEAR(1.0 / (1.0 - 0.25 * dt * dt * (model.strap_frequency + model.plate_frequency)), 2.0, 1e-14);
+  EXPECT_NEAR(1.0 / (1.0 - 0.25 * dt * dt * (model.strap_frequency + model.plate_frequency)), 1.6, 1e-14);
   d.straps.clear();
   d.plates.clear();
   EXPECT_EQ(membrane::bounce_time_step(make_model(d)), std::numeric_limits<double>::infinity());

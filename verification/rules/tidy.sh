@@ -17,7 +17,7 @@ checks+=',bugprone-virtual-near-miss,performance-for-range-copy,performance-unne
 tidy() {
   local unit=$scratch/$BASHPID.cpp folders=()
   printf '#include "%s"\n' "$@" >"$unit"
-  mapfile -t folders < <({ printf '%s\n' "$root"/{lib*,elementary,verification/enclosure}/include/; printf '%s\n' "$@" | grep -oE '^.*/(include|src)/'; } | sort -u | sed 's/^/-I/')
+  mapfile -t folders < <({ printf '%s\n' "$root"/{lib*,elementary,verification/{enclosure,closed_form}}/include/; printf '%s\n' "$@" | grep -oE '^.*/(include|src)/'; } | sort -u | sed 's/^/-I/')
   clang-tidy --quiet --checks="$checks" --warnings-as-errors='*' --header-filter="$root/(lib|driver)" --config-file=.clang-tidy "$unit" -- \
     -std=c++20 -ferror-limit=0 "${folders[@]}" -I"$root/libgas/src/tank_test" -I"$build/driver" -isystem /usr/include/eigen3 2>&1 |
     grep -E '^/.*(warning|error):' | sed "s|^$root/||" || true

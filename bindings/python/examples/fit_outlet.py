@@ -13,7 +13,7 @@ import gasjet
 case, measured = sys.argv[1:3]
 rows = [line for line in open(measured, encoding="utf-8") if not line.startswith("#")]
 data = np.genfromtxt(rows, delimiter=",", names=True)
-start = np.array([0.055, 0.2])  # short side [m], friction [-]
+start = np.array([0.07, 0.2])  # short side [m], friction [-]
 
 
 def angles(parameters):

@@ -45,7 +45,8 @@ double force_mobility(const BagModel& model, const BagState& state);
 /// leading order, the energy that a strap gains in a bounce (M.22).
 double strap_mobility(const BagModel& model, const BagState& state);
 
-/// Step [s] at which a bounce off straps or plates at most doubles its energy (M.24); infinity without them.
+/// Step [s] at which a bounce off straps or plates gains at most 60 % of its energy (M.24); infinity without
+/// them.
 double bounce_time_step(const BagModel& model);
 
 /// Step [s] that keeps the drift of the energy small (M.22), bounce_time_step included. `energy` [J] >= 0 is
