@@ -33,7 +33,7 @@ constexpr double kRootBegin = 1e-12;
 /// Longest sub-step after an onset [s], as what flows in the laminar range is missed by stages beyond it.
 double through_laminar(const Balance& balance, const Moment& now) {
   const double laminar = laminar_overpressure(balance.boundary().model());
-  if (std::abs(now.overpressure) > laminar || std::abs(balanced_overpressure(balance)) < 10.0 * laminar)
+  if (!(std::abs(now.overpressure) < laminar) || std::abs(balanced_overpressure(balance)) < 10.0 * laminar)
     return kInfinity;
   return kThroughLaminar * laminar / std::abs(now.growth);
 }
