@@ -80,8 +80,7 @@ class Commands(Here):
         self.assertEqual(table["pressure_Pa"][1], single.history["pressure_Pa"][-1])
         self.assertEqual((whole.command, whole.status, os.listdir(".")), ("study", "done", ["out"]))
         self.assertEqual(gasjet.study(plan, "out").tables["timing"]["cpu_s"].tolist(), whole.tables["timing"]["cpu_s"].tolist())  # not again
-        pathlib.Path("plan.toml").write_text(pathlib.Path("out/plan.toml").read_text())
-        command = [os.environ["GASJET"], "study", "run", "plan.toml", "--out", "shares", "--quiet", "--share"]
+        command = [os.environ["GASJET"], "study", "run", "out/plan.toml", "--out", "shares", "--quiet", "--share"]
         for share, status in (("1/2", "incomplete"), ("2/2", "done")):
             subprocess.run([*command, share], check=True)
             self.assertEqual(gasjet.merge_study("shares").status, status)
