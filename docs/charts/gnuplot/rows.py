@@ -48,6 +48,13 @@ def cell(rows, column, *wanted):
     return [[row[column]] for row in chosen(rows, *wanted)]
 
 
+def largest_change(rows, pattern):
+    """Of what the jet adds to the angle without friction, against the scene as shipped [rad], among the changes that the pattern finds."""
+    rows = chosen(rows, "quantity=final_angle_rad", "scene=without friction", "jet=with")
+    shipped, = numbers(chosen(rows, "change=as shipped")[0], "difference")
+    return [[max(abs(float(row["difference"]) - shipped) for row in rows if re.search(pattern, row["change"]))]]
+
+
 def work_precision(rows, quantity):
     """y, label, deviation from the last of the group (gas: of step) [%], two standard errors, CPU time [s]"""
     rows = [row for row in rows if row["quantity"] == quantity]
@@ -128,7 +135,7 @@ def tornado(rows, scene):
 
 
 KINDS = {kind.__name__: kind for kind in (where, rising, cell, work_precision, convergence, effects, ladder, sobol,
-                                          distances, tornado)}
+                                          distances, tornado, largest_change)}
 
 if __name__ == "__main__":
     for line in KINDS[sys.argv[1]](read(sys.argv[2]), *sys.argv[3:]):
