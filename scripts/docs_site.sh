@@ -35,9 +35,10 @@ for name in passenger_pendulum passenger_pendulum_no_jet; do
   "$gasjet" run "cases/$name.toml" --out "$runs/$name" --quiet
 done
 "$gasjet" report "$runs"/passenger_pendulum{,_no_jet} --out "$source/reports/passenger_pendulum.html" >/dev/null
-# The page that runs cases: of preset browser, which takes a quarter of an hour to build.
+# The page that runs cases, and the figures that readers move: of preset browser, which takes a quarter of an hour to build.
 if [[ -f build-browser/try.html ]]; then
   cp build-browser/try.html "$source/try.html"
+  cp build-browser/{live,exact_program,gasjet_program}.js "$source/assets"
 else
   echo '<!doctype html><meta charset="utf-8"><title>Gasjet</title><p>This site was made without the page that runs cases: scripts/setup_browser.py, then cmake --preset browser and cmake --build --preset browser.' >"$source/try.html"
 fi

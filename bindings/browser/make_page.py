@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the page that runs Gasjet in a browser: one file, which needs no network.
-
-It holds gasjet.wasm of preset `browser`, the shipped cases with their files, the reference of keys in docs/case_files.md and
-three.js for the reports.
-usage: make_page.py BUILD PAGE      build-browser, build/site/try.html"""
+"""Writes try.html, the page that runs Gasjet in a browser: one file, which needs no network. It holds gasjet.wasm of preset `browser`,
+the shipped cases with their files, the reference of keys in docs/case_files.md and three.js for the reports. And live.js, by which places
+of other pages become figures (page/live.js), with the programs that it loads: exact_program.js and gasjet_program.js.
+usage: make_page.py BUILD      build-browser"""
 import json
 import pathlib
 import re
@@ -17,6 +16,7 @@ ROOT = HERE.parent.parent
 REPORT = ROOT / "driver" / "report" / "src" / "page"
 THREE = [pathlib.Path("/usr/share/javascript/three") / name for name in ("three.min.js", "examples/js/controls/OrbitControls.js")]
 SCRIPTS = ("packing", "case_text", "editor", "jobs", "plot", "runs", "main")
+LIVE = ("packing", "case_text", "jobs", "plot", "live")
 
 
 def packed(content):
@@ -76,15 +76,21 @@ def three():
     return [as_script(file.read_text()) if file.exists() else "" for file in THREE]
 
 
-def page(build):
-    read = lambda name: (HERE / "page" / name).read_text()
+def read(name):
+    return (HERE / "page" / name).read_text()
+
+
+def program(build, name, data):
+    """What startProgram in jobs.js takes."""
+    return {"wasm": packed((build / f"{name}.wasm").read_bytes()), "data": packed(json.dumps(data).encode()),
+            "worker": packed((build / f"{name}.js").read_bytes() + read("worker.js").encode())}
+
+
+def page(parts):
     version = re.search(r"GASJET_VERSION ([\d.]+)", (ROOT / "cmake" / "GasjetVersion.cmake").read_text())[1]
-    parts = {
+    parts = {name.upper(): text for name, text in parts.items()} | {
         "STYLE": (REPORT / "page.css").read_text() + read("page.css"),
         "VERSION": f"Version {version}.",
-        "WASM": packed((build / "gasjet.wasm").read_bytes()),
-        "DATA": packed(json.dumps({"cases": cases(), "keys": reference(), "units": units(), "three": three()}).encode()),
-        "WORKER": packed((build / "gasjet.js").read_bytes() + read("worker.js").encode()),
         "SCRIPT": as_script("".join(read(f"{name}.js") for name in SCRIPTS)),
     }
     text = read("page.html")
@@ -92,12 +98,25 @@ def page(build):
     return re.sub("@@(\\w+)@@", lambda place: parts[place[1]], text)
 
 
+def as_loaded(parts):
+    """A script that adds the program to those that live.js takes."""
+    texts = (name + ": `" + re.sub(r"[\\`$]", r"\\\g<0>", text) + "`" for name, text in parts.items())
+    return "gasjetPrograms.push({" + ", ".join(texts) + "});\n"
+
+
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
-    text = page(pathlib.Path(sys.argv[1]))
-    pathlib.Path(sys.argv[2]).write_bytes(text.encode())
-    print(f"{sys.argv[2]}: {len(text.encode()) / 1e6:.2f} MB")
+    build, data = pathlib.Path(sys.argv[1]), {"cases": cases(), "units": units()}
+    runs = program(build, "gasjet", data)
+    whole = packed(json.dumps({**data, "keys": reference(), "three": three()}).encode())
+    files = {"live.js": "(() => {\n" + "".join(read(f"{name}.js") for name in LIVE) + "})();\n",
+             "exact_program.js": as_loaded(program(build, "exact", {"units": units()})),
+             "gasjet_program.js": as_loaded(runs),
+             "try.html": page(runs | {"data": whole})}
+    for name, text in files.items():
+        (build / name).write_bytes(text.encode())
+        print(f"{build / name}: {len(text.encode()) / 1e6:.2f} MB")
 
 
 if __name__ == "__main__":

@@ -59,3 +59,10 @@ class Jobs {
     this.next();
   }
 }
+
+// What make_page.py packed, { wasm, worker, data }, as { jobs, data }.
+const startProgram = async ({ wasm, worker, data }) => {
+  const [compiled, script, read] = await Promise.all([unpacked(wasm).then(bytes => WebAssembly.compile(bytes)), unpacked(worker),
+    unpacked(data).then(bytes => JSON.parse(asText(bytes)))]);
+  return { jobs: new Jobs(script, compiled, Math.min(navigator.hardwareConcurrency || 2, 8)), data: read };
+};

@@ -13,35 +13,30 @@ const files = () => ({ ...extra, "case.toml": editor.text });
 const fileName = () => /^\s*name\s*=\s*"([\w.-]+)"/m.exec(editor.text)?.[1] ?? "case";
 
 // Sliders stand for numbers of the text and move them there.
+const moveNumber = (name, value) => {
+  const place = editor.read.numbers.find(n => n.name === name);
+  if (!place) return undefined;
+  const text = numberText(value, place.text);
+  editor.replace(place.start, place.end, text);
+  if (at("auto").checked) start("run");
+  return text;
+};
+
 const drawSliders = () => {
-  at("sliders").replaceChildren(...sliders.map(({ name, low, high, whole }) => {
-    const number = editor.read.numbers.find(n => n.name === name), row = document.createElement("label"), title = document.createElement("span");
-    const range = Object.assign(document.createElement("input"), { type: "range", min: low, max: high, step: whole ? 1 : (high - low) / 200 });
-    const shown = document.createElement("output"), remove = Object.assign(document.createElement("button"), { type: "button", textContent: "×", title: `no slider for ${name}` });
-    title.textContent = number ? number.path + (/#0$/.test(name) ? "" : ` (${Number(name.split("#")[1]) + 1})`) : `${name}: no such number now`;
-    range.disabled = !number;
-    range.value = number?.value ?? 0;
-    range.setAttribute("aria-label", title.textContent);
-    shown.value = number?.text ?? "";
-    range.addEventListener("input", () => {
-      const place = editor.read.numbers.find(n => n.name === name);
-      if (!place) return;
-      const text = numberText(Number(range.value), place.text);
-      shown.value = text;
-      editor.replace(place.start, place.end, text);
-      if (at("auto").checked) start("run");
-    });
+  at("sliders").replaceChildren(...sliders.map(slider => {
+    const { name } = slider, number = editor.read.numbers.find(n => n.name === name);
+    const title = number ? number.path + (/#0$/.test(name) ? "" : ` (${Number(name.split("#")[1]) + 1})`) : `${name}: no such number now`;
+    const remove = Object.assign(document.createElement("button"), { type: "button", textContent: "×", title: `no slider for ${name}` });
     remove.addEventListener("click", () => { sliders = sliders.filter(s => s.name !== name); drawSliders(); });
-    row.append(title, range, shown, remove);
-    return row;
+    return sliderRow(title, { ...slider, value: number?.value, text: number?.text ?? "" }, value => moveNumber(name, value), remove);
   }));
 };
 
 const addSlider = name => {
   const number = editor.read.numbers.find(n => n.name === name);
   if (!number || sliders.some(s => s.name === name)) return;
-  const v = number.value, ends = v === 0 ? [-1, 1] : [v / 3, v * 3].sort((a, b) => a - b);
-  sliders.push({ name, low: ends[0], high: ends[1], whole: /^[+-]?[\d_]+$/.test(number.text) });
+  const [low, high] = rangeOf(number.value);
+  sliders.push({ name, low, high, whole: /^[+-]?[\d_]+$/.test(number.text) });
 };
 
 // The newest text counts; a check that takes long makes room for it.
@@ -223,10 +218,9 @@ const listen = () => {
 };
 
 (async () => {
-  const [compiled, script, data] = await Promise.all([unpacked(at("wasm").textContent).then(bytes => WebAssembly.compile(bytes)),
-    unpacked(at("worker").textContent), unpacked(at("data").textContent).then(bytes => JSON.parse(asText(bytes)))]);
+  const { data, ...program } = await startProgram(Object.fromEntries(["wasm", "worker", "data"].map(name => [name, at(name).textContent])));
+  ({ jobs } = program);
   ({ cases, three, units: unitEndings } = data);
-  jobs = new Jobs(script, compiled, Math.min(navigator.hardwareConcurrency || 2, 8));
   runs = new Runs(jobs);
   editor = new Editor(data.keys, textChanged);
   at("case").append(...Object.keys(cases).map(name => new Option(name, name)), new Option("your own", ""));

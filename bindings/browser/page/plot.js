@@ -49,38 +49,53 @@ const pathOf = (time, value, x, y) => {
   return path;
 };
 
-// runs: { table, label, colour: number or -1 for an old one }, drawn in this order.
-const drawChart = (column, runs) => {
+// Lines of one or more columns over the column `over` of each run. runs: { table, label, colour: number or -1 for an old one, over:
+// "time_s" if it is missing, column: of this run }, drawn in this order; axis: [name, unit] where the column's name does not say it.
+const drawChart = (column, runs, axis) => {
   const width = 420, height = 200, left = 62, right = 410, top = 8, bottom = 172, [title, unit] = named(column);
   const root = document.createElement("div"), head = document.createElement("h3"), picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": title });
   root.className = "chart";
   head.textContent = title + (unit ? ` [${unit}]` : "");
-  const shown = runs.filter(run => run.table[column]);
-  let low = Infinity, high = -Infinity, end = 0;
-  for (const run of shown) {
-    for (const v of run.table[column]) { if (v < low) low = v; if (v > high) high = v; }
-    end = Math.max(end, run.table.time_s.at(-1));
-  }
-  if (!(high > low)) [low, high] = [low - (Math.abs(low) * 1e-3 || 1), high + (Math.abs(high) * 1e-3 || 1)];
-  const pad = 0.04 * (high - low), x = t => left + (right - left) * t / (end || 1), y = v => bottom - (bottom - top) * (v - low + pad) / (high - low + 2 * pad);
+  const shown = runs.map(run => ({ ...run, value: run.table[run.column ?? column], x: run.table[run.over ?? "time_s"] })).filter(run => run.value);
+  const ends = name => shown.reduce((all, run) => run[name].reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], all), [Infinity, -Infinity]);
+  let [low, high] = ends("value");
+  const [start, end] = ends("x");
+  if (!(high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high)))) [low, high] = [low - (Math.abs(low) * 1e-3 || 1), high + (Math.abs(high) * 1e-3 || 1)];
+  const pad = 0.04 * (high - low), x = t => left + (right - left) * (t - start) / (end - start || 1), y = v => bottom - (bottom - top) * (v - low + pad) / (high - low + 2 * pad);
   picture.append(svg("rect", { class: "frame", x: left, y: top, width: right - left, height: bottom - top }));
   for (const v of steps(low, high, 4)) picture.append(svg("text", { x: left - 5, y: y(v) + 4, "text-anchor": "end" }, String(v)));
-  const scale = end <= 1 ? 1000 : 1;
-  for (const t of steps(0, end * scale, 5)) picture.append(svg("text", { x: x(t / scale), y: bottom + 14, "text-anchor": "middle" }, String(t)));
-  picture.append(svg("text", { x: right, y: height - 2, "text-anchor": "end" }, scale === 1 ? "time [s]" : "time [ms]"));
+  const [over, size] = axis ?? named(shown[0]?.over ?? "time_s"), scale = size === "s" && end <= 1 ? 1000 : 1;
+  for (const t of steps(start * scale, end * scale, 5)) picture.append(svg("text", { x: x(t / scale), y: bottom + 14, "text-anchor": "middle" }, String(t)));
+  picture.append(svg("text", { x: right, y: height - 2, "text-anchor": "end" }, over + (size ? ` [${scale === 1 ? size : "ms"}]` : "")));
   for (const run of shown)
-    picture.append(svg("path", { d: pathOf(run.table.time_s, run.table[column], x, y), fill: "none", ...(run.colour < 0 ? { class: "old" } : { stroke: `var(--c${run.colour})`, "stroke-width": 1.8 }) }));
+    picture.append(svg("path", { d: pathOf(run.x, run.value, x, y), fill: "none", ...(run.colour < 0 ? { class: "old" } : { stroke: `var(--c${run.colour})`, "stroke-width": 1.8, ...(run.dots ? { "stroke-dasharray": "1 6", "stroke-width": 5, "stroke-linecap": "round" } : {}) }) }));
   const legend = document.createElement("div");
   legend.className = "legend";
   for (const run of shown.filter(r => r.colour >= 0)) {
     const name = document.createElement("span");
-    name.textContent = `${run.label}: ${Number(run.table[column].at(-1).toPrecision(5))} at the end`;
+    name.textContent = `${run.label}: ${Number(run.value.at(-1).toPrecision(5))} at the end`;
     name.style.color = `var(--c${run.colour})`;
     legend.append(name);
   }
   root.append(head, picture, legend);
   return root;
 };
+
+// A slider with its name and value, and what stands after them; moved(number) gives the text to show. stops: { low, high, whole, value, text }.
+const sliderRow = (title, { low, high, whole, value, text }, moved, ...after) => {
+  const row = document.createElement("label"), name = Object.assign(document.createElement("span"), { textContent: title });
+  const range = Object.assign(document.createElement("input"), { type: "range", min: low, max: high, step: whole ? 1 : (high - low) / 200, disabled: value === undefined });
+  const shown = document.createElement("output");
+  range.value = value ?? 0;
+  range.setAttribute("aria-label", title);
+  shown.value = text;
+  range.addEventListener("input", () => { shown.value = moved(Number(range.value)) ?? shown.value; });
+  row.append(name, range, shown, ...after);
+  return row;
+};
+
+// Where a slider of a number begins and ends if nobody says.
+const rangeOf = value => (value === 0 ? [-1, 1] : [value / 3, value * 3].sort((a, b) => a - b));
 
 const firstColumns = ["pressure_Pa", "pendulum_angle_rad", "temperature_K", "jet_force_N", "contact_force_N", "volume_m3", "gas_mass_kg"];
 const columnsOf = table => {

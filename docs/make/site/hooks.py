@@ -52,9 +52,21 @@ def run_here(name, base):
             f"<summary>Run {name} here</summary><iframe title=\"{name}\" allow=\"clipboard-write\"></iframe></details>")
 
 
+def live(html, page, config, base):
+    """Figures that readers move (bindings/browser/page/live.js): each closed form of the catalogue has one below its name."""
+    if page.file.src_path == "docs/exact.md":
+        html = re.sub(r"<p><strong><code>(\w+)</code></strong>.*?</p>", lambda form: (
+            f'{form[0]}<details class="run"><summary>Run {form[1]} here</summary><div class="gasjet-live" data-form="{form[1]}"></div></details>'),
+            html, flags=re.S)
+    if 'class="gasjet-live"' not in html or not (pathlib.Path(config["docs_dir"]) / "assets" / "live.js").exists():
+        return html
+    return html + f'<script src="{base}assets/live.js"></script>'
+
+
 def on_page_content(html, page, config, files):
     """Below a heading or a block of commands that names shipped cases, each of them once a page."""
     base, seen = "../" * page.file.dest_path.count("/"), set()
+    html = live(html, page, config, base)
 
     def place(found):
         names = [name for name in re.findall(r"cases/([a-z_]+)\.toml", found[0]) if (CASES / f"{name}.toml").exists() and name not in seen]

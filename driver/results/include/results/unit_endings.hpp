@@ -11,10 +11,16 @@ namespace driver {
 
 /// Endings and units. A longer ending comes before a shorter one that it contains.
 inline constexpr std::pair<std::string_view, std::string_view> unit_endings[] = {
-    {"_m_s2", "m/s²"}, {"_rad_s", "rad/s"}, {"_kg_K_s", "kg K/s"}, {"_kg_s", "kg/s"}, {"_m_s", "m/s"},
-    {"_m3", "m³"},     {"_m2", "m²"},       {"_Pa", "Pa"},         {"_kg", "kg"},     {"_Ns", "N s"},
-    {"_rad", "rad"},   {"_K", "K"},         {"_W", "W"},           {"_N", "N"},       {"_J", "J"},
-    {"_m", "m"},       {"_s", "s"},
+    {"_m_s2", "m/s²"},   {"_rad_s", "rad/s"}, {"_kg_K_s", "kg K/s"},
+    {"_kg_s", "kg/s"},   {"_m_s", "m/s"},     {"_Pa_s", "Pa/s"},
+    {"_1_s", "1/s"},     {"_N_s", "N s"},     {"_J_kg_K", "J/(kg K)"},
+    {"_kg_m3", "kg/m³"}, {"_J_m3", "J/m³"},   {"_kg_m2", "kg m²"},
+    {"_N_m", "N/m"},     {"_m3", "m³"},       {"_m2", "m²"},
+    {"_Pa", "Pa"},       {"_kg", "kg"},       {"_Nm", "N m"},
+    {"_Ns", "N s"},      {"_rad", "rad"},     {"_deg", "°"},
+    {"_Hz", "Hz"},       {"_sr", "sr"},       {"_K", "K"},
+    {"_W", "W"},         {"_N", "N"},         {"_J", "J"},
+    {"_m", "m"},         {"_s", "s"},
 };
 
 /// The name without the ending of its unit.
