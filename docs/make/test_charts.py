@@ -10,9 +10,10 @@ import sys
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "docs/make/charts"))
+sys.path[:0] = [str(ROOT / "docs/make/charts"), str(ROOT / "docs/charts/gnuplot")]
 import decay  # noqa: E402
 import forecast  # noqa: E402
+import rows as gnuplot_rows  # noqa: E402
 import studies  # noqa: E402
 from common import rows_of  # noqa: E402
 
@@ -47,6 +48,15 @@ def test_tolerances(tmp_path):
                                           encoding="utf-8")
     assert studies.table("inflator_tolerances", tmp_path) == ["quantity,mean,standard_deviation,percentile_5,percentile_95,flow_share,delay_share,runs",
                                                               "a,2,0.5,1,3,0.75,0.123,9"]
+
+
+def test_largest_change():
+    """Against the scene as shipped, 0.3; the other quantity, the scene with friction and what the pattern does not find do not count."""
+    columns = "scene,change,jet,quantity,difference"
+    means = table(columns, *(f"without friction,{change},with,final_angle_rad,{value}" for change, value in
+                             (("as shipped", 0.3), ("model a", 0.35), ("model b", 0.1), ("input c", 0.9))),
+                  "with friction,model b,with,final_angle_rad,-5", "without friction,model b,with,peak_pressure_Pa,7")
+    assert gnuplot_rows.largest_change(means, "^model") == [[pytest.approx(0.2)]]
 
 
 def test_decay():

@@ -42,13 +42,13 @@ class Figure {
     await this.draw();
   }
 
-  words(form, values) {
+  settings(form, values) {
     return form.parameters.filter(p => values[p.name] !== undefined).flatMap(p => ["--set", `${p.name}=${values[p.name]}`]);
   }
 
   // The answer of `gasjet exact`; its code is 0 where the form holds.
   ask(form, values, times) {
-    return this.exact.run({ files: {}, commands: [["exact", form.name, ...this.words(form, values), ...(times ? ["--times", times] : [])]] });
+    return this.exact.run({ files: {}, commands: [["exact", form.name, ...this.settings(form, values), ...(times ? ["--times", times] : [])]] });
   }
 
   async holds(form, values, times) {
@@ -154,7 +154,7 @@ class Figure {
   // A form over a parameter, at one value of its first column.
   async acrossLine(form, values, colour) {
     const count = 60, at = Array.from({ length: count + 1 }, (_, i) => Number(this.from) + i * (this.to - this.from) / count);
-    const answer = await this.exact.run({ files: {}, commands: at.map(v => ["exact", form.name, ...this.words(form, { ...values, [this.over]: v }), "--times", String(values.at)]) });
+    const answer = await this.exact.run({ files: {}, commands: at.map(v => ["exact", form.name, ...this.settings(form, { ...values, [this.over]: v }), "--times", String(values.at)]) });
     if (answer.code !== 0) throw this.refused(answer);
     const head = form.columns.join(","), rows = answer.out.filter(line => !line.startsWith("#") && line !== head);
     return { table: { ...parseTable([head, ...rows].join("\n")), [this.over]: Float64Array.from(at) }, over: this.over, label: form.name.replaceAll("_", " "), colour, says: [] };
@@ -180,7 +180,7 @@ class Figure {
     return Object.keys(lines[0].table).filter(name => name !== "time_s" && runs[0].table[name]?.length === lines[0].table[name].length).map(name => {
       const exact = lines[0].table[name], mine = runs[0].table[name];
       const size = exact.reduce((all, v) => Math.max(all, Math.abs(v)), 0), most = exact.reduce((all, v, i) => Math.max(all, Math.abs(v - mine[i])), 0);
-      return `Gasjet's ${named(name)[0]}: ${(most / size).toExponential(1)} of its largest value from the closed form`;
+      return `Gasjet's ${named(name)[0]}: ${(most === 0 ? 0 : most / size).toExponential(1)} of its largest value from the closed form`;
     });
   }
 }

@@ -53,14 +53,14 @@ def run_here(name, base):
 
 
 def live(html, page, config, base):
-    """Figures that readers move (bindings/browser/page/live.js): each closed form of the catalogue has one below its name."""
+    """Figures that readers move (bindings/browser/page/live.js): each closed form of the catalogue has one below its name. None if the site is made without them."""
+    if not (pathlib.Path(config["docs_dir"]) / "assets" / "live.js").exists():
+        return html
     if page.file.src_path == "docs/exact.md":
         html = re.sub(r"<p><strong><code>(\w+)</code></strong>.*?</p>", lambda form: (
             f'{form[0]}<details class="run"><summary>Run {form[1]} here</summary><div class="gasjet-live" data-form="{form[1]}"></div></details>'),
             html, flags=re.S)
-    if 'class="gasjet-live"' not in html or not (pathlib.Path(config["docs_dir"]) / "assets" / "live.js").exists():
-        return html
-    return html + f'<script src="{base}assets/live.js"></script>'
+    return f'{html}<script src="{base}assets/live.js"></script>' if 'class="gasjet-live"' in html else html
 
 
 def on_page_content(html, page, config, files):
