@@ -31,7 +31,7 @@ class Figure {
     const sliders = await this.sliders(), ranges = tagged("div", { className: "sliders" });
     for (const { name, title, like, ...stops } of sliders) {
       this.values[name] = stops.value;
-      ranges.append(sliderRow(title, { ...stops, text: String(stops.value) }, value => {
+      ranges.append(sliderRow(title, { ...stops, text: String(Number(stops.value.toPrecision(6))) }, value => {
         const text = numberText(value, like);
         this.values[name] = Number(text);
         this.draw();
@@ -81,7 +81,10 @@ class Figure {
       list.push({ name: p.name, title: `${p.name.replaceAll("_", " ")}${p.unit === "1" ? "" : ` [${p.unit}]`}: ${p.meaning}`, value: p.default, ...(await this.range(form, p)) });
     }
     for (const slider of list) slider.like = slider.whole ? "1" : "1.0";
-    if (this.over) list.unshift({ name: "at", title: named(this.forms[0].columns[0]).filter(Boolean).join(", "), like: "1.0", value: Number(this.given.at), low: 0, high: 3 * Number(this.given.at) });
+    if (this.over) {
+      const [name, unit] = named(this.forms[0].columns[0]), value = Number(this.given.at);
+      list.unshift({ name: "at", title: unit ? `${name} [${unit}]` : name, like: "1.0", value, low: 0, high: 3 * value });
+    }
     if (this.scene && this.forms.length === 0) {
       const { numbers } = readCase(this.scene.text);
       for (const name of chosen) {
