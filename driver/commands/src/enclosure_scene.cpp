@@ -29,46 +29,42 @@ enclosure::Species species_of(const gas::Species& s) {
   return result;
 }
 
-/// Time at which a trigger first comes on; none: never.
-std::optional<double> first_on(const gas::ControlVolumeModel& model,
-                               const std::optional<std::size_t>& trigger, double end,
-                               const std::string& key) {
-  if (!trigger) return 0.0;
-  const auto times = gas::switching_times(model.triggers, *trigger, end);
+/// Times at which a trigger comes on, goes off, comes on and so on.
+std::vector<double> switching_times(const Scene& scene, std::size_t trigger, const std::string& key) {
+  const auto times = gas::switching_times(scene.gas->model.triggers, trigger, scene.time.end);
   if (!times)
     throw CaseError(
         key +
         ": depends on a sensor of pressure or contact, whose times are not enclosed; allowed: sensors of "
         "time and signal");
-  return times->empty() ? std::nullopt : std::optional<double>(times->front());
+  return *times;
 }
 
 void add_inflators(const Scene& scene, enclosure::Scene& result) {
   const auto& model = scene.gas->model;
   for (std::size_t i = 0; i < model.inflows.size(); ++i) {
     const gas::Inflow& inflow = model.inflows[i];
-    const auto on = first_on(model, inflow.trigger, scene.time.end, fmt::format("inflator.{}.trigger", i));
+    std::vector<double> on{0.0};
+    if (inflow.trigger) on = switching_times(scene, *inflow.trigger, fmt::format("inflator.{}.trigger", i));
     enclosure::Inflator inflator{inflow.mass_fractions, knots_of(inflow.mass_flow),
                                  knots_of(inflow.temperature)};
-    if (on && inflow.start_time < std::numeric_limits<double>::infinity())
-      inflator.start = *on + inflow.start_time;
+    if (!on.empty() && inflow.start_time < std::numeric_limits<double>::infinity())
+      inflator.start = on.front() + inflow.start_time;
     else
       inflator.mass_flow = {{0.0, 0.0}};
     result.inflators.push_back(std::move(inflator));
   }
 }
 
-void add_holes(const gas::ControlVolumeModel& model, enclosure::Scene& result) {
+void add_holes(const Scene& scene, enclosure::Scene& result) {
+  const auto& model = scene.gas->model;
   for (std::size_t j = 0; j < model.vents.size(); ++j) {
     const gas::Vent& vent = model.vents[j];
-    if (vent.trigger)
-      throw CaseError(
-          fmt::format("vent.{}.trigger: vents that open by a trigger are not enclosed; give their area over "
-                      "time",
-                      j));
     enclosure::Hole hole{vent.discharge_coefficient, {{0.0, vent.area}}, {}, vent.backflow};
     if (vent.area_of_time) hole.area = knots_of(*vent.area_of_time);
     if (vent.area_of_overpressure) hole.area_of_overpressure = knots_of(*vent.area_of_overpressure);
+    if (vent.trigger)
+      hole.switching = switching_times(scene, *vent.trigger, fmt::format("vent.{}.trigger", j));
     if (vent.backflow) result.ambient_fractions = model.ambient.mass_fractions;
     result.holes.push_back(std::move(hole));
   }
@@ -98,7 +94,7 @@ enclosure::Scene enclosure_scene(const Scene& scene) {
   else if (const auto& wave = gas.tank_volume)
     result.wave = enclosure::Wave{wave->mean, wave->amplitude, wave->frequency, wave->phase};
   add_inflators(scene, result);
-  add_holes(model, result);
+  add_holes(scene, result);
   if (gas.tank_leak_area > 0.0 && model.fabrics.empty()) result.fabrics.push_back({gas.tank_leak_area});
   if (gas.tank_leak_area > 0.0)
     for (const gas::Fabric& fabric : model.fabrics) {

@@ -124,7 +124,11 @@ EnclosureVerdict judge(const History& mine, const ProvedBounds& enclosure,
     if (verdict == Verdict::outside) result.verdict = Verdict::outside;
     all = all && verdict == Verdict::inside;
   }
-  if (all && !result.quantities.empty()) result.verdict = Verdict::inside;
+  if (result.quantities.empty())
+    throw CaseError(
+        fmt::format("mine has no column of {}; give a history as MINE, and its bounds as REFERENCE",
+                    fmt::join(enclosure.columns, ", ")));
+  if (all) result.verdict = Verdict::inside;
   return result;
 }
 

@@ -184,13 +184,15 @@ void Law::flows(const Gas& g, const Regime& regime) {
     out_.push_back(leaves ? area * out : none);
     back_.push_back(!leaves && s.holes[i].backflow ? area * back : none);
   }
-  for (const Fabric& fabric : s.fabrics) {
+  for (std::size_t i = 0; i < s.fabrics.size(); ++i) {
+    const Fabric& fabric = s.fabrics[i];
+    const Term area = time(tank_.shares[i]) * Ball(fabric.coefficient);
     if (!leaves)
       out_.push_back(none);
     else if (fabric.velocity)
-      out_.push_back(g.density * curve(*fabric.velocity, g.overpressure, regime) * Ball(fabric.coefficient));
+      out_.push_back(g.density * curve(*fabric.velocity, g.overpressure, regime) * area);
     else
-      out_.push_back(sqrt(g.density * g.overpressure * Ball(2.0)) * factor * Ball(fabric.coefficient));
+      out_.push_back(sqrt(g.density * g.overpressure * Ball(2.0)) * factor * area);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "enclosure/enclose.hpp"
@@ -48,10 +49,15 @@ void check_openings(const Scene& s) {
       check_not_negative(*hole.area_of_overpressure, "the area of a hole over pressure", false);
     else
       check_not_negative(hole.area, "the area of a hole", true);
+    if (hole.switching)
+      require(std::adjacent_find(hole.switching->begin(), hole.switching->end(), std::greater_equal<>()) ==
+                  hole.switching->end(),
+              "the times at which a hole switches do not rise");
     if (hole.backflow) check_fractions(s.ambient_fractions, s.species.size(), "the ambient gas");
   }
   for (const Fabric& fabric : s.fabrics) {
     require(fabric.coefficient >= 0.0, "the area of a fabric is negative");
+    check_not_negative(fabric.share, "the share of a fabric", true);
     if (fabric.velocity) check_not_negative(*fabric.velocity, "the velocity through a fabric", false);
   }
 }
@@ -67,6 +73,8 @@ void check(const Scene& s) {
   require(s.laminar_share >= 0.0, "laminar_share is negative");
   require(s.wall_conductance >= 0.0, "the conductance of the walls is negative");
   if (!s.wave) check_curve(s.volume, "the volume", false);
+  require(s.bulges.empty() || (!s.wave && s.bulges.size() + 1 == s.volume.size()),
+          "the volume needs one bulge between every two knots, or none");
   for (const Inflator& inflator : s.inflators) {
     check_fractions(inflator.mass_fractions, s.species.size(), "an inflator");
     check_not_negative(inflator.mass_flow, "a mass flow", true);
@@ -127,13 +135,20 @@ Tank::Tank(const Scene& given) : scene(given), maximum_temperature(std::numeric_
   };
   for (const Hole& hole : scene.holes) {
     const bool of_time = !hole.area_of_overpressure;
-    areas.emplace_back(of_time ? hole.area : Curve{{0.0, 1.0}}, 0.0, false);
+    const Curve area = of_time ? hole.area : Curve{{0.0, 1.0}};
+    areas.push_back(hole.switching ? Piecewise::switched(area, *hole.switching)
+                                   : Piecewise(area, 0.0, false));
     if (!of_time) add_levels(*hole.area_of_overpressure);
     has_backflow = has_backflow || hole.backflow;
   }
-  for (const Fabric& fabric : scene.fabrics)
+  for (const Fabric& fabric : scene.fabrics) {
+    shares.emplace_back(fabric.share, 0.0, false);
     if (fabric.velocity) add_levels(*fabric.velocity);
-  if (!scene.wave) volumes.emplace_back(scene.volume, 0.0, false);
+  }
+  if (!scene.wave) {
+    volumes.emplace_back(scene.volume, 0.0, false);
+    volumes.back().bend(scene.bulges);
+  }
   if (has_backflow) {
     const bool high = scene.ambient_temperature > joint_temperature;
     const Ball t(scene.ambient_temperature);
@@ -167,6 +182,7 @@ Balls Tank::breaks() const {
     add(inflow.enthalpy);
   }
   for (const Piecewise& area : areas) add(area);
+  for (const Piecewise& share : shares) add(share);
   for (const Piecewise& volume : volumes) add(volume);
   return all;
 }

@@ -49,7 +49,8 @@ struct Tank {
   bool constant_cp = true, has_backflow = false;
   double minimum_temperature = 0.0, maximum_temperature = 0.0;  // [K]
   std::vector<InflowFunctions> inflows;
-  std::vector<Piecewise> areas;    // [m2] per hole, times Cd
+  std::vector<Piecewise> areas;    // [m2] per hole
+  std::vector<Piecewise> shares;   // [-] per fabric
   std::vector<Piecewise> volumes;  // one; none of a wave
   std::vector<Surface> surfaces;   // levels rise
   AmbientGas ambient;

@@ -56,6 +56,37 @@ Piecewise::Piecewise(const Curve& curve, double start, bool zero_outside) {
   outside(curve.back().value);
 }
 
+Piecewise Piecewise::switched(const Curve& curve, const std::vector<double>& times) {
+  Piecewise result;
+  const auto add = [&](const Ball& from, const Piece& piece) {
+    result.breaks_.push_back(from);
+    result.pieces_.push_back(piece);
+  };
+  result.pieces_.push_back({Ball(0.0), {Ball(0.0)}});
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Ball from(times[i]);
+    if (i % 2 == 1) {
+      add(from, result.pieces_[0]);
+      continue;
+    }
+    const Piecewise open(curve, times[i], false);
+    add(from, open.pieces_[open.piece_after(from)]);
+    for (std::size_t k = open.piece_after(from); k < open.breaks_.size(); ++k)
+      if (i + 1 == times.size() || less(open.breaks_[k], Ball(times[i + 1])))
+        add(open.breaks_[k], open.pieces_[k + 1]);
+  }
+  return result;
+}
+
+void Piecewise::bend(const std::vector<double>& bulges) {
+  for (std::size_t i = 0; i < bulges.size(); ++i) {
+    const Ball length = breaks_[i + 1] - breaks_[i], rise = Ball(4.0 * bulges[i]) / length;
+    Balls& c = pieces_[i + 1].coefficients;
+    c[1] = c[1] + rise;
+    c.push_back(Ball(0.0) - rise / length);
+  }
+}
+
 bool Piecewise::is_zero() const {
   for (const Piece& piece : pieces_)
     for (const Ball& c : piece.coefficients)

@@ -85,5 +85,7 @@ def test_refuses_what_are_no_bounds(tmp_path):
     ):
         done = judge(mine, bounds(tmp_path, text))
         assert done.returncode == 2 and said in done.stderr, done.stdout + done.stderr
+    done = judge(bounds(tmp_path), bounds(tmp_path))
+    assert done.returncode == 2 and "mine has no column of pressure_Pa; give a history as MINE" in done.stderr
     done = judge(mine, bounds(tmp_path), "--columns", "volume_m3")
     assert done.returncode == 2 and "is no column of the enclosure" in done.stderr

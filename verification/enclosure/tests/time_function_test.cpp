@@ -42,6 +42,15 @@ TEST(time_function, slopes_over_a_knot) {
   EXPECT_TRUE(slope.contains(Ball(-1.0)));
 }
 
+// Open from 1 to 2 s and from 4 s on: its curve, a jump from 2 to 5 after a second and a half, begins anew.
+TEST(time_function, curve_that_begins_anew) {
+  const Piecewise f = Piecewise::switched({{0.0, 1.0}, {1.0, 2.0}, {1.5, 2.0}, {1.5, 5.0}}, {1.0, 2.0, 4.0});
+  for (const auto& [time, value] : std::vector<std::pair<double, double>>{
+           {0.5, 0.0}, {1.5, 1.5}, {3.0, 0.0}, {4.5, 1.5}, {5.25, 2.0}, {6.0, 5.0}})
+    EXPECT_TRUE(range(f, time, time).contains(Ball(value))) << time;
+  for (const double v : {0.0, 1.0, 1.5}) EXPECT_TRUE(range(f, 3.5, 4.5).contains(Ball(v))) << v;
+}
+
 // T rises from 900 to 1200 K and falls back: h = 3 T up to 1000 K, 7 T - 4000 above.
 TEST(time_function, composition_with_two_ranges) {
   const Piecewise t({{0.0, 900.0}, {1.0, 1200.0}, {2.0, 900.0}}, 0.0, false);

@@ -6,6 +6,7 @@
 
 #include "libgas_route.hpp"
 #include "plain_gas.hpp"
+#include "plain_network.hpp"
 
 namespace random_tanks {
 namespace {
@@ -37,14 +38,37 @@ bool is_constant(const std::vector<double>& values) {
   return std::ranges::all_of(values, [&](double v) { return v == values.front(); });
 }
 
+enclosure::Curve short_curve_of(const Table& table) {
+  enclosure::Curve curve = curve_of(table);
+  if (is_constant(table.y)) curve.resize(1);
+  return curve;
+}
+
+/// Of a node on which an inflow or a hole depends.
+bool watches_pressure(const Tank& tank) {
+  std::vector<bool> of_pressure;
+  for (const SensorPlan& sensor : tank.sensors) of_pressure.push_back(sensor.kind == Watch::pressure);
+  for (const GatePlan& gate : tank.gates)
+    of_pressure.push_back(std::ranges::any_of(gate.inputs, [&](std::size_t i) { return of_pressure[i]; }));
+  const auto waits = [&](const auto& part) { return part.node && of_pressure[*part.node]; };
+  return std::ranges::any_of(tank.pulses, waits) || std::ranges::any_of(tank.holes, waits);
+}
+
+/// Times [s] at which a node that no pressure reaches comes on, goes off, comes on and so on.
+std::vector<double> switching_times(const Tank& tank, Node node) {
+  PlainNetwork network(tank);
+  std::vector<double> times;
+  for (double t = 0.0; t <= tank.times.back(); t = network.next_break(t)) {
+    network.update(t, 0.0);
+    if (network.is_on(node) != (times.size() % 2 == 1)) times.push_back(t);
+  }
+  return times;
+}
+
 }  // namespace
 
 std::optional<enclosure::Scene> scene_of(const Tank& tank, const std::string& csv) {
-  const auto acts = [](const auto& part) { return part.node.has_value(); };
-  if (std::ranges::any_of(tank.pulses, acts) || std::ranges::any_of(tank.holes, acts) ||
-      !tank.volume_of_overpressure.empty() || !is_constant(tank.leak_areas) ||
-      std::ranges::any_of(tank.bulges, [](double b) { return b != 0.0; }))
-    return {};
+  if (!tank.volume_of_overpressure.empty() || watches_pressure(tank)) return {};
   enclosure::Scene s;
   const std::vector<PlainSpecies> plain = read_species(tank.gases, csv);
   for (std::size_t k = 0; k < tank.gases.size(); ++k)
@@ -55,18 +79,30 @@ std::optional<enclosure::Scene> scene_of(const Tank& tank, const std::string& cs
   s.ambient_pressure = tank.ambient_pressure;
   s.ambient_temperature = tank.ambient_temperature;
   s.ambient_fractions = tank.ambient;
-  for (std::size_t i = 0; i < tank.times.size(); ++i) s.volume.push_back({tank.times[i], tank.volumes[i]});
-  if (is_constant(tank.volumes)) s.volume.resize(1);
-  for (const Pulse& p : tank.pulses)
+  const Table volume{tank.times, tank.volumes}, leak{tank.times, tank.leak_areas};
+  s.volume = short_curve_of(volume);
+  if (std::ranges::any_of(tank.bulges, [](double b) { return b != 0.0; })) {
+    s.volume = curve_of(volume);
+    s.bulges = tank.bulges;
+  }
+  for (const Pulse& p : tank.pulses) {
     s.inflators.push_back({p.fractions, curve_of(p.mass_flow), curve_of(p.temperature), p.start});
+    if (!p.node) continue;
+    const std::vector<double> times = switching_times(tank, p.node);
+    if (times.empty())
+      s.inflators.back().mass_flow = {{0.0, 0.0}};
+    else
+      s.inflators.back().start += times.front();
+  }
   for (const Hole& h : tank.holes) {
     s.holes.push_back({h.discharge_coefficient, {{0.0, h.area}}, {}, h.backflow});
+    if (h.node) s.holes.back().switching = switching_times(tank, h.node);
     if (!h.area_of_time.empty()) s.holes.back().area = curve_of(h.area_of_time);
     if (!h.area_of_overpressure.empty())
       s.holes.back().area_of_overpressure = curve_of(h.area_of_overpressure);
   }
-  if (tank.leak_areas.front() > 0.0) {
-    s.fabrics = {{tank.leak_areas.front()}};
+  if (!is_constant(tank.leak_areas) || tank.leak_areas.front() > 0.0) {
+    s.fabrics = {{1.0, {}, short_curve_of(leak)}};
     if (!tank.fabric_velocity.empty()) s.fabrics[0].velocity = curve_of(tank.fabric_velocity);
   }
   s.wall_conductance = tank.conductance;

@@ -43,7 +43,8 @@ struct EnclosureVerdict {
 /// tolerance a quantity is outside if one of its values is outside its bounds, and inside else. With one, a
 /// share of its largest magnitude, it is outside if a value is farther than that from every value within the
 /// bounds, inside if each is at most that far from all of them, and undecided between. It is undecided too if
-/// mine lacks a time. Throws CaseError for a name that is not in both.
+/// mine lacks a time. Throws CaseError for a name that is not in both, and if no
+/// column is.
 EnclosureVerdict judge(const History& mine, const ProvedBounds& enclosure,
                        const std::vector<std::string>& only = {}, const Tolerance& tolerance = {});
 

@@ -46,12 +46,16 @@ struct Hole {
   Curve area;                                   // [m2] against time; held outside its knots
   std::optional<Curve> area_of_overpressure{};  // [m2] in place of `area`; held outside its knots
   bool backflow = false;                        // ambient gas flows in below ambient pressure
+  /// [s] at which it opens, closes, opens and so on, rising; `area` then counts from each opening. None:
+  /// open.
+  std::optional<std::vector<double>> switching{};
 };
 
 /// Porous fabric: (G.7) with its coefficient, or (G.12) with its area and a table of velocities.
 struct Fabric {
   double coefficient;               // [m2] sum of eta^2 A (printed), eta A (screen) or area (table)
   std::optional<Curve> velocity{};  // [m/s] against overpressure, 0 at 0; held outside its knots
+  Curve share{{0.0, 1.0}};          // [-] of the coefficient against time; held outside its knots
 };
 
 /// Volume as a wave, mean + amplitude sin(2 pi frequency t + phase).
@@ -69,6 +73,7 @@ struct Scene {
   double ambient_temperature = 293.15;    // [K]
   std::vector<double> ambient_fractions;  // [-] by mass; only of holes with backflow
   Curve volume;                           // [m3] against time; held outside its knots
+  std::vector<double> bulges;             // [m3] none, or of each piece its middle less the mean of its ends
   std::optional<Wave> wave{};             // in place of `volume`
   std::vector<Inflator> inflators;
   std::vector<Hole> holes;
