@@ -18,6 +18,14 @@ UniformGas moved(const Balance& balance, double overpressure) {
   return gas;
 }
 
+/// The gas whose Jacobian a sub-step needs. In the laminar range the slope changes within a sub-step; beyond
+/// it another gas than the one that is there would cost the method its order.
+UniformGas where_differentiated(const Balance& balance) {
+  constexpr double kLaminar = 10.0;  // times its width
+  const double laminar = laminar_overpressure(balance.boundary().model());
+  return std::abs(balance.gas().overpressure) > kLaminar * laminar ? balance.gas() : where_linear(balance);
+}
+
 /// Bound of the relaxation rate by the flow alone; infinite where there is none.
 double relaxation_bound(const Balance& balance) {
   constexpr double kFar = 1e-3;  // share of p: nearer to p_a the flow does not bound its slope
@@ -117,7 +125,7 @@ void RateSlopes::fill_changes(const Balance& balance, const UniformGas& g) {
 void RateSlopes::fill(const Balance& balance) {
   const Boundary& boundary = balance.boundary();
   const Slots& s = boundary.slots();
-  const UniformGas g = where_linear(balance);
+  const UniformGas g = where_differentiated(balance);
   for (Vector& column : by_part) std::ranges::fill(column, 0.0);
   std::ranges::fill(by_time, 0.0);
   std::ranges::fill(part_energy, 0.0);

@@ -33,6 +33,14 @@ def test_literal_law_comes_to_rest():
 def test_flow_that_sets_in_keeps_to_the_tolerance(tmp_path):
     """Flow that sets in at p_a passes the laminar range within microseconds; sub-steps that miss it are off by 2e-10."""
     scene = ["cases/rigid_tank.toml", "--set", "vent=[{area=1e-3}]", "--set", "inflator.0.mass_flow=0.01", "--set", "scene.end_time=0.01"]
+    small = ["cases/rigid_tank.toml"]  # balanced 40 Pa above p_a, far beyond the laminar range
+    for setting in ("vent=[{area=1e-6}]", "inflator.0.mass_flow=1e-5", "inflator.0.temperature=293.15", "tank.volume=1e-3", "scene.end_time=0.01"):
+        small += ["--set", setting]
+    for tank in (scene, small):
+        expect_tight_runs(tmp_path, tank)
+
+
+def expect_tight_runs(tmp_path, scene):
     proved = gasjet("enclose", *scene, "--times", "0.001:0.01:0.001")
     assert proved.returncode == 0, proved.stderr
     for method in ("dormand_prince", "runge_kutta", "rosenbrock"):
@@ -43,6 +51,15 @@ def test_flow_that_sets_in_keeps_to_the_tolerance(tmp_path):
         for bounds in read(proved.stdout):
             mass = next(float(row["gas_mass_kg"]) for row in rows if abs(float(row["time_s"]) - float(bounds["time_s"])) < 1e-9)
             assert abs(mass / float(bounds["gas_mass_kg_lower"]) - 1) < 5e-12, (method, bounds["time_s"], mass)
+
+
+def test_vent_that_a_sensor_opens(tmp_path):
+    scene = ["cases/rigid_tank.toml", "--set", 'sensor=[{name="s",time=0.02}]', "--set", 'vent=[{area=1e-3,trigger="s"}]']
+    (tmp_path / "bounds.csv").write_text(gasjet("enclose", *scene).stdout, encoding="utf-8")
+    done = gasjet("run", *scene, "--quiet", "--out", tmp_path / "run")
+    assert done.returncode == 0, done.stderr
+    done = gasjet("compare", tmp_path / "run/history.csv", tmp_path / "bounds.csv", "--enclosure", "--tolerance", "1e-9")
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_refusals_say_why():
