@@ -9,8 +9,7 @@
 /// Random tanks as scenes for proved bounds.
 namespace random_tanks {
 
-/// None of a tank with sensors that act, a volume that follows the pressure or bends, or a leak area that
-/// changes.
+/// None of a tank with a pressure sensor that acts, or a volume that follows the pressure.
 std::optional<enclosure::Scene> scene_of(const Tank& tank, const std::string& csv);
 
 /// Largest distance of libgas's p, T and m from their bounds at the ends of the calls, relative; not a number
