@@ -48,6 +48,7 @@ TEST(time_function, curve_that_begins_anew) {
   for (const auto& [time, value] : std::vector<std::pair<double, double>>{
            {0.5, 0.0}, {1.5, 1.5}, {2.25, 0.0}, {4.5, 1.5}, {5.25, 2.0}, {6.0, 5.0}})
     EXPECT_TRUE(range(f, time, time).contains(Ball(value))) << time;
+  EXPECT_EQ(f.breaks().size(), 5U);  // of the knots that it reaches
   for (const double v : {0.0, 1.0, 1.5}) EXPECT_TRUE(range(f, 3.5, 4.5).contains(Ball(v))) << v;
 }
 
