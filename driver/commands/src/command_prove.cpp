@@ -42,11 +42,23 @@ Proof proof_of(const ExactArguments& arguments) {
   return proof;
 }
 
+/// Where bounds are wide: "depth_m where force_N is 1e-09".
+std::vector<std::string> wide_places(const Proof& proof) {
+  std::vector<std::string> places;
+  for (const auto& [row, column] : proof.form.wide) {
+    places.push_back(proof.form.columns[column]);
+    if (proof.entry.has_abscissa())
+      places.back() += fmt::format(" where {} is {}", proof.entry.columns.front(), proof.abscissae[row]);
+  }
+  return places;
+}
+
 void print_csv(const Proof& proof) {
   const auto& [entry, parameters, abscissae, form] = proof;
   fmt::print("# name: {}\n# equation: {}\n# source: {}\n# validity: {}\n# proved: lower and upper bounds\n",
              entry.name, entry.equation, entry.source, entry.validity);
   for (const auto& [column, reason] : form.refused) fmt::print("# not proved: {}: {}\n", column, reason);
+  for (const auto& place : wide_places(proof)) fmt::print("# wider than 1e-20 of the value: {}\n", place);
   for (const auto& [name, value] : parameters) fmt::print("# {}: {}\n", name, value);
   std::vector<std::string> heads;
   if (entry.has_abscissa()) heads.push_back(entry.columns.front());
@@ -95,14 +107,27 @@ void print_json(const Proof& proof) {
                  {"validity", entry.validity},
                  {"parameters", parameters},
                  {"not_proved", form.refused},
+                 {"wide", wide_places(proof)},
                  {"constants", constants},
                  {"columns", columns},
                  {"rows", rows}});
   fmt::print("{}\n", object.dump(2));
 }
 
-int print_names() {
-  for (const auto& [name, reason] : formula_names_by_module())
+int print_names(const ExactArguments& a) {
+  if (!a.name.empty() || !a.parameters.empty() || !a.times.empty())
+    throw CaseError("--list: prints the whole catalogue: leave out NAME, --set and --times");
+  if (!a.format.empty() && a.format != "json")
+    throw CaseError(fmt::format("--format {}: --list --proved prints text or json", a.format));
+  const auto names = formula_names_by_module();
+  if (a.format == "json") {
+    auto object = json_head<Json>();
+    for (const auto& [name, reason] : names)
+      object["closed_forms"].push_back({{"name", name}, {"proved", reason.empty()}, {"reason", reason}});
+    fmt::print("{}\n", object.dump(2));
+    return exit_done;
+  }
+  for (const auto& [name, reason] : names)
     fmt::print("{}: {}\n", name, reason.empty() ? "proved" : "not proved: " + reason);
   return exit_done;
 }
@@ -111,14 +136,21 @@ int print_names() {
 
 int prove(const ExactArguments& arguments) {
   gsl_set_error_handler_off();
+  if (arguments.list) return print_names(arguments);
   if (arguments.format == "markdown")
     throw CaseError("--format markdown: prints --list only; use csv or json");
-  if (arguments.list) return print_names();
   if (arguments.name.empty())
     throw CaseError("exact: NAME is missing; `gasjet exact --list --proved` prints the names");
   try {
     const Proof proof = proof_of(arguments);
     arguments.format == "json" ? print_json(proof) : print_csv(proof);
+    if (proof.form.wide.empty()) return exit_done;
+    fmt::print(
+        stderr,
+        "gasjet: exact {}: --proved: {} of {} bounds are wider than 1e-20 of the value; the table names "
+        "them\n",
+        arguments.name, proof.form.wide.size(), proof.form.rows.size() * proof.form.columns.size());
+    return exit_domain;
   } catch (const std::invalid_argument& error) {
     throw CaseError(fmt::format("exact {}: {}", arguments.name, error.what()));
   } catch (const enclosure::Refusal& refusal) {

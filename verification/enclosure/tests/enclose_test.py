@@ -94,10 +94,35 @@ def test_forms_without_bounds_say_why():
     for words, said in (
         (["clamped_disc"], "exact clamped_disc: --proved: a boundary value problem"),
         (["tank_fill", "--set", "volume=-1"], "volume = -1"),
-        (["pendulum_swing", "--set", "theta0=0"], "pendulum_angle_rad has no narrow bounds where the first column is 0"),
-        (["--list", "--format", "markdown"], "prints --list only"),
+        (["--list", "--format", "markdown"], "--format markdown: --list --proved prints text or json"),
+        (["--list", "blowdown"], "leave out NAME"),
     ):
         done = gasjet("exact", *words, "--proved")
         assert done.returncode == 2 and said in done.stderr, done.stdout + done.stderr
     assert "# not proved: period_s: an integral" in gasjet("exact", "gas_spring", "--proved").stdout
     assert "hencky_membrane: not proved: a power series" in gasjet("exact", "--list", "--proved").stdout
+    names = json.loads(gasjet("exact", "--list", "--proved", "--format", "json").stdout)["closed_forms"]
+    assert {"name": "tank_fill", "proved": True, "reason": ""} in names and len(names) > 90
+
+
+def test_small_numbers_zeros_and_many_divisions_have_bounds():
+    def bounds(*words):
+        done = gasjet("exact", *words, "--proved", "--format", "json")
+        assert done.returncode == 0, done.stderr
+        return json.loads(done.stdout)["rows"]
+
+    # Lowest order in the force: s = 2 F V/(gamma p_a S^2).
+    (_, (low, high), *_), = bounds("gas_spring", "--times", "1e-6")
+    expected = Fraction("2e-6") * Fraction("0.009") / (Fraction("1.4") * 101325 * Fraction("0.0009"))
+    assert expected * (1 - Fraction("1e-8")) < Fraction(low) < Fraction(high) < expected, (low, high)
+    assert bounds("orifice_flow", "--set", "area=1e-300", "--times", "1e3")[0][1][0].startswith("3.184055988300788")
+    assert bounds("mylar_balloon", "--times", "1e-100")[0][3][0].startswith("1.2185242161185697")
+    assert bounds("pendulum_swing", "--times", "0")[0][2] == ["-1e-300", "1e-300"]
+    assert bounds("pendulum_swing", "--set", "theta0=0", "--times", "1") == [[1.0, ["0", "0"], ["0", "0"]]]
+    assert len(bounds("square_deflection", "--times", "4096")) == 1
+
+
+def test_wide_bounds_are_named_beside_the_others():
+    done = gasjet("exact", "sphere_fill", "--proved", "--times", "0:1e4:1e4")
+    assert done.returncode == 3 and "wider than 1e-20 of the value" in done.stderr, done.stdout + done.stderr
+    assert "where inflow_mass_kg is" in done.stdout and len(done.stdout.split("inflow_mass_kg,")[1].splitlines()) == 3

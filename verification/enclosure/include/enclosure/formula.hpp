@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "enclosure/enclose.hpp"
@@ -23,11 +24,12 @@ struct ProvedForm {
   std::vector<std::string> columns;
   std::map<std::string, std::string> refused;  // reason by column
   std::vector<std::vector<Bounds>> rows;       // one for each abscissa, a value for each column
+  /// Row and column of bounds wider than 1e-20 of the value: as far as they are known, or infinite.
+  std::vector<std::pair<std::size_t, std::size_t>> wide;
 };
 
 /// Encloses the values of a formula of the folder `formulas`. The parameters must be within the validity of
-/// the form. Throws Refusal for a form that has no formula, with the reason, and where the bounds of a value
-/// stay wider than 1e-20 of it.
+/// the form. Throws Refusal for a form that has no formula, with the reason.
 ProvedForm prove(const Question& question);
 
 /// Names of all forms in `formulas`, with the reason why one is refused; empty: it is not.
