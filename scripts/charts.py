@@ -12,7 +12,7 @@
   jet_decay     centreline decay, spreading and entrainment of the jet model against bands of measured jets (docs/theory/jet.md), and
                 against three measured jets, cold, hot and sonic (docs/theory/jet_decay.md)
   jet_push      restitution that computed flows in closed cavities have, from docs/data (docs/theory/jet_push.md)
-  growth        CPU time and memory of the paper's scene from 2744 to 2.8 million elements, with the exponents; some minutes
+  growth        CPU time and memory of the paper's scene from 2744 to 2.8 million elements, with the exponents, beside peers; some minutes
   damaged       what damaged input does: an hour of the fuzzers, 10,000 damaged cases and 5,000 damaged decks by class
   frames        the scene with and without jet at the same times, as the paper's Figures 10 and 11
   concepts      drawings of what words say poorly
@@ -214,7 +214,7 @@ def heat_losses():
 
 
 def growths():
-    keep("growth", machine("one thread used") + build_version() + "".join(line + "\n" for line in growth.lines()), None)
+    keep("growth", machine("one thread used") + build_version() + "".join(line + "\n" for line in growth.lines()), {})
 
 
 def ablations():

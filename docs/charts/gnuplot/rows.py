@@ -44,6 +44,11 @@ def rising(rows, column, *wanted):
     return [row.values() for row in sorted(chosen(rows, *wanted), key=lambda row: float(row[column]))]
 
 
+def filled(rows, x, y):
+    """The numbers of two columns, of the rows that have both."""
+    return [[row[x], row[y]] for row in rows if row[y] and row[x].isdecimal()]
+
+
 def cell(rows, column, *wanted):
     return [[row[column]] for row in chosen(rows, *wanted)]
 
@@ -134,7 +139,7 @@ def tornado(rows, scene):
         yield label, low[0], high[0], low[1], high[1], low[2], high[2], 1 + ["input", "model", "numerics"].index(kind)
 
 
-KINDS = {kind.__name__: kind for kind in (where, rising, cell, work_precision, convergence, effects, ladder, sobol,
+KINDS = {kind.__name__: kind for kind in (where, rising, filled, cell, work_precision, convergence, effects, ladder, sobol,
                                           distances, tornado, largest_change)}
 
 if __name__ == "__main__":

@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the cost of the paper's scene grows with its elements: each refinement cuts an element into four, up to 2.8 million. Whole runs as
 long as they take less than a minute, which have every stage; beyond, some twenty steps alone, which have the skin's (S8, S9), the start and
-the memory. Lines of growth.csv: CPU time and memory by elements, then the exponents between the first and the last of each column."""
+the memory. Then the test for hidden elements alone, as the bag unfolds, beside its peers on the same meshes (`jet_overhead`). Lines of
+growth.csv: CPU time and memory by elements, then the exponents between the first and the last of each column."""
+import csv
 import json
 import math
 import os
 import subprocess
 
+from benchmarks import build, program
 from common import ROOT, gasjet
 
 WORK = ROOT / "results/growth"
 WHOLE, MOST = 2, 5  # refinements of whole runs, and of all
+ROUTES = {"fast": "hidden_ms", "cgal_tree": "hidden_tree_ms", "embree": "hidden_embree_ms"}
+LARGEST = 200_000  # elements with peers
 FIRST_STEPS = 8e-4  # s of the scene on the shipped mesh; a finer one takes shorter steps
 JET, STEP = ("S5_outlet", "S6_jet_field", "S7_visibility"), ("S8_advance", "S9_volume")
 
@@ -40,13 +45,24 @@ def row_of(refine):
     return row
 
 
+def hidden():
+    """Of each number of elements, the time of the test for hidden elements by each route [ms]."""
+    build("jet_overhead")
+    times = {}
+    for row in csv.DictReader(line for line in program("jet_overhead", LARGEST).splitlines() if not line.startswith("#")):
+        if row["shape"] == "folded" and row["route"] in ROUTES:
+            times.setdefault(int(row["elements"]), {})[ROUTES[row["route"]]] = float(row["visibility_us"]) / 1e3
+    return times
+
+
 def exponent(rows, column):
-    first, last = rows[0], [row for row in rows if column in row][-1]
+    first, *_, last = [row for row in rows if column in row]
     return math.log(last[column] / first[column]) / math.log(last["elements"] / first["elements"])
 
 
 def lines():
-    rows = [row_of(refine) for refine in range(MOST + 1)]
+    peers = hidden()
+    rows = [row | peers.get(row["elements"], {}) for row in map(row_of, range(MOST + 1))]
     columns = list(rows[0])
     text = {int: str, float: "{:.4g}".format, type(None): lambda _: ""}
     yield ",".join(columns)
