@@ -11,7 +11,7 @@ namespace {
 // Stretch at the tension over E h/(1 - nu^2): lambda (lambda^2 - 1)/2 = tension >= 0. Newton's iteration
 // falls to the root from the right, as the left side is convex.
 double stretch_at(double tension) {
-  double stretch = 1.0 + tension;
+  double stretch = 1.0 + std::fmin(tension, std::cbrt(2.0 * tension));
   for (int iteration = 0; iteration < 60; ++iteration)
     stretch -= (0.5 * stretch * (stretch * stretch - 1.0) - tension) / (1.5 * stretch * stretch - 0.5);
   return stretch;

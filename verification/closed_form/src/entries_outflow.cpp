@@ -46,12 +46,6 @@ Columns<BlowdownTimes> instants() {
           {"final_gas_mass_kg", &BlowdownTimes::final_mass}};
 }
 
-template <class Vessel>
-Vessel at_overpressure(Vessel vessel, double overpressure) {
-  vessel.pressure = vessel.ambient_pressure + overpressure;
-  return vessel;
-}
-
 GasState filled_spring_bag(const SpringBag& bag, double mass_flow, double temperature, double time) {
   check::non_negative("time", time, "mass_flow", mass_flow);
   return spring_bag_fill(bag, mass_flow * time, temperature);
@@ -75,8 +69,7 @@ std::vector<Entry> outflow() {
           kNozzle, "overpressure > -p_a; no backflow", 15)
           .fields(gas(), upstream(), hole(0.085))
           .over("overpressure_Pa", range(0.0, 1e5, 100))
-          .result("vent_outflow_kg_s",
-                  [](const Orifice& o, double p) { return orifice_mass_flow(at_overpressure(o, p)); }),
+          .result("vent_outflow_kg_s", [](const Orifice& o, double p) { return orifice_mass_flow(o, p); }),
       Form<PorousFabric>("porous_flow", "Outflow through porous fabric over overpressure",
                          "mdot = C sqrt(2 rho (p - p_a)); C = eta^2 A_f or eta A_f",
                          "Gas Jet Model for Airbag Inflators (printed law)",
@@ -84,7 +77,7 @@ std::vector<Entry> outflow() {
           .fields(gas_constant(), upstream(), fabric())
           .over("overpressure_Pa", range(0.0, 1e5, 100))
           .result("fabric_outflow_kg_s",
-                  [](const PorousFabric& f, double p) { return porous_mass_flow(at_overpressure(f, p)); }),
+                  [](const PorousFabric& f, double p) { return porous_mass_flow(f, p); }),
       Form<PerfectGas>(
           "bernoulli_limit", "Hole flow over its incompressible limit",
           "mdot/(A sqrt(2 rho dp)) = 1 - 3 e/(4 gamma) - (40 gamma - 29) e^2/(96 gamma^2) + ..., e = dp/p",

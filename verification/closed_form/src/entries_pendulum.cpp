@@ -27,16 +27,6 @@ auto cylinder(double pressure) {
   };
 }
 
-// The stretch at which the inflow has entered, and the state there.
-struct FilledSphere : SphereFillState {
-  double stretch = 0.0;
-};
-
-FilledSphere filled_sphere(const SphereFill& scene, double inflow_mass) {
-  const double stretch = sphere_fill_stretch(scene, inflow_mass);
-  return {sphere_fill(scene, stretch), stretch};
-}
-
 }  // namespace
 
 std::vector<Entry> swings() {
@@ -143,8 +133,7 @@ std::vector<Entry> coupled() {
           .result("isothermal_angular_frequency_rad_s", gas_piston_isothermal_frequency),
       Form<GasSpring>("gas_spring", "Weight set down on a gas spring at ambient pressure, over its force",
                       "m v^2/2 = F s - int (p - p_a) S ds, p (V - S s)^gamma = p_a V^gamma; T = 2 int ds/v",
-                      "derived here from the energy integral",
-                      "F > 0; period and depth lose digits below F = 1e-3 p_a S", 11)
+                      "derived here from the energy integral", "F > 0", 12)
           .fields(heat_capacity_ratio())
           .field(&GasSpring::mass, "mass", "m", "kg", 20.0, "mass that moves")
           .field(&GasSpring::area, "area", "S", "m2", 0.03, "area of the piston")
@@ -167,11 +156,11 @@ std::vector<Entry> coupled() {
           .field(&SphereFill::inflow_temperature, "inflow_temperature", "T_in", "K", 700.0,
                  "temperature of the inflow")
           .over("inflow_mass_kg", range(0.0, 0.1, 50))
-          .results(filled_sphere, {{"pressure_Pa", &FilledSphere::pressure},
-                                   {"volume_m3", &FilledSphere::volume},
-                                   {"stretch", &FilledSphere::stretch},
-                                   {"strain_energy_J", &FilledSphere::strain_energy},
-                                   {"ambient_work_J", &FilledSphere::ambient_work}}),
+          .results(sphere_fill_by_mass, {{"pressure_Pa", &SphereFillState::pressure},
+                                         {"volume_m3", &SphereFillState::volume},
+                                         {"stretch", &SphereFillState::stretch},
+                                         {"strain_energy_J", &SphereFillState::strain_energy},
+                                         {"ambient_work_J", &SphereFillState::ambient_work}}),
       Form<PressedBalloon>(
           "pressed_balloon",
           "Inflated elastic sphere pressed between two rigid spheres, over the patch's angle",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cancellation.hpp"
 #include "check.hpp"
 #include "closed_form/gas.hpp"
 #include "closed_form/orifice.hpp"
@@ -24,11 +25,11 @@ Inrush inrush(const AmbientInrush& tank) {
   const double critical = critical_pressure_ratio(g) * p_a;
   const double sonic_rate = scale * choked_flux_coefficient(g);
   const double first = std::max(tank.initial_pressure, critical);
-  const double s = std::pow(first / p_a, (g - 1.0) / g);
+  const double rise = -std::expm1((g - 1.0) / g * log_ratio(first, p_a));  // 1 - s
   // dt = V/(g sqrt(R T_a) A) dr/sqrt(2 g/(g-1) (r^(2/g) - r^((g+1)/g))), r = s^(g/(g-1)): 2 g/(g-1) d
   // sqrt(1-s).
   const double root_rate = scale / p_a * std::sqrt(2.0 * g / (g - 1.0)) * (g - 1.0) / (2.0 * g);
-  return {sonic_rate, std::max(0.0, critical - tank.initial_pressure) / sonic_rate, std::sqrt(1.0 - s),
+  return {sonic_rate, std::max(0.0, critical - tank.initial_pressure) / sonic_rate, std::sqrt(rise),
           root_rate};
 }
 
@@ -48,7 +49,7 @@ double inrush_pressure(const AmbientInrush& tank, double time) {
   if (time <= parts.sonic_end) return tank.initial_pressure + parts.sonic_rate * time;
   const double root = std::max(0.0, parts.root_begin - parts.root_rate * (time - parts.sonic_end));
   const double g = tank.gas.heat_capacity_ratio;
-  return tank.ambient_pressure * std::pow(1.0 - root * root, g / (g - 1.0));
+  return tank.ambient_pressure * std::exp(g / (g - 1.0) * std::log1p(-root * root));
 }
 
 }  // namespace
@@ -84,14 +85,14 @@ GasState heat_loss_fill(const HeatLossFill& tank, double time) {
   const double R = tank.gas.gas_constant, cv = specific_heat_cv(tank.gas), cp = specific_heat_cp(tank.gas);
   const double mass0 = tank.initial_pressure * tank.volume / (R * tank.initial_temperature);
   const double mass = mass0 + tank.mass_flow * time;
-  const double capacity_flow = tank.mass_flow * cv;  // [W/K]
-  double limit = tank.outside_temperature, decay = std::exp(-tank.conductance * time / (mass0 * cv));
+  const double capacity_flow = tank.mass_flow * cv;                                         // [W/K]
+  double limit = tank.outside_temperature, decay = tank.conductance * time / (mass0 * cv);  // exponent
   if (capacity_flow > 0.0) {
     limit = (tank.mass_flow * cp * tank.inflow_temperature + tank.conductance * tank.outside_temperature) /
             (capacity_flow + tank.conductance);
-    decay = std::pow(mass / mass0, -1.0 - tank.conductance / capacity_flow);
+    decay = (1.0 + tank.conductance / capacity_flow) * std::log1p(tank.mass_flow * time / mass0);
   }
-  const double temperature = limit + (tank.initial_temperature - limit) * decay;
+  const double temperature = tank.initial_temperature * std::exp(-decay) - limit * std::expm1(-decay);
   return {mass, temperature, mass * R * temperature / tank.volume, tank.volume};
 }
 
@@ -104,7 +105,7 @@ GasState linear_fabric_tank(const LinearFabricTank& tank, double time) {
   const auto [R, gamma] = tank.gas;
   const double rate = gamma * tank.permeability * tank.area * tank.ambient_pressure / tank.volume;
   const double p0 = tank.initial_pressure, p_a = tank.ambient_pressure;
-  const double pressure = p_a / (1.0 - (1.0 - p_a / p0) * std::exp(-rate * time));
+  const double pressure = p_a * p0 / (p_a - (p0 - p_a) * std::expm1(-rate * time));
   const double temperature = tank.initial_temperature * std::pow(pressure / p0, (gamma - 1.0) / gamma);
   return {pressure * tank.volume / (R * temperature), temperature, pressure, tank.volume};
 }

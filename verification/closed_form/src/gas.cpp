@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cancellation.hpp"
 #include "check.hpp"
 #include "closed_form/orifice.hpp"
 
@@ -49,11 +50,10 @@ GasState pulse_fill(const PulseFill& pulse, double time) {
   check::non_negative("time", time);
   const auto [R, gamma] = pulse.gas;
   const double x = std::fmin(time / pulse.duration, 1.0);
-  const double sine = std::sin(2.0 * pi * x);
-  const double half = std::sin(pi * x);  // cos(2 pi x) - 1 = -2 sin^2(pi x), without cancellation
-  const double mass_in = 2.0 * pulse.total_mass * (0.5 * x - sine / (4.0 * pi));
-  const double ramp =
-      2.0 * pulse.total_mass * (0.25 * x * x - x * sine / (4.0 * pi) + half * half / (4.0 * pi * pi));
+  // int 2 sin^2(pi s) ds = x - sin(2 pi x)/(2 pi) and int 2 s sin^2(pi s) ds by what sin(y)/y lacks of 1.
+  const double half = sinc_defect(pi * x), whole = sinc_defect(2.0 * pi * x);
+  const double mass_in = pulse.total_mass * x * whole;
+  const double ramp = pulse.total_mass * x * x * (whole - half + 0.5 * half * half);
   const double mass_temperature =
       pulse.start_temperature * mass_in + (pulse.end_temperature - pulse.start_temperature) * ramp;
   const double mass0 = pulse.initial_pressure * pulse.volume / (R * pulse.initial_temperature);
@@ -109,7 +109,7 @@ VentedFillSteady vented_fill_steady(const VentedFill& tank) {
     check::refuse("ambient_pressure", tank.ambient_pressure, "the steady vent must be choked against it");
   const double mass = pressure * tank.volume / (R * tank.inflow_temperature);
   const double half_trace = 0.5 * (1.0 + 3.0 * gamma);
-  const double root = std::sqrt(half_trace * half_trace - 4.0 * gamma);
+  const double root = 0.5 * std::sqrt((9.0 * gamma - 1.0) * (gamma - 1.0));  // half_trace^2 - 4 gamma
   const double rate = tank.mass_flow / mass;
   const double fast = -0.5 * (half_trace + root);
   return {{mass, tank.inflow_temperature, pressure, tank.volume}, rate * gamma / fast, rate * fast};
@@ -119,12 +119,12 @@ PistonState adiabatic_piston(const AdiabaticPiston& piston, double volume) {
   check_tank(piston.gas, piston.initial_volume, piston.initial_temperature);
   check::positive("initial_pressure", piston.initial_pressure, "volume", volume);
   const auto [R, gamma] = piston.gas;
-  const double log_ratio = std::log(piston.initial_volume / volume);
+  const double shrunk = log_ratio(piston.initial_volume, volume);
   const double energy0 = piston.initial_pressure * piston.initial_volume / (gamma - 1.0);
   const double mass = piston.initial_pressure * piston.initial_volume / (R * piston.initial_temperature);
-  const double temperature = piston.initial_temperature * std::exp((gamma - 1.0) * log_ratio);
-  const double pressure = piston.initial_pressure * std::exp(gamma * log_ratio);
-  return {{mass, temperature, pressure, volume}, energy0 * std::expm1((gamma - 1.0) * log_ratio)};
+  const double temperature = piston.initial_temperature * std::exp((gamma - 1.0) * shrunk);
+  const double pressure = piston.initial_pressure * std::exp(gamma * shrunk);
+  return {{mass, temperature, pressure, volume}, energy0 * std::expm1((gamma - 1.0) * shrunk)};
 }
 
 GasState constant_pressure_fill(const ConstantPressureFill& bag, double time) {

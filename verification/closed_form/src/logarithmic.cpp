@@ -20,10 +20,10 @@ LogarithmicLaw logarithmic_law(const Sheet& sheet) {
 }
 
 double logarithmic_energy(const LogarithmicLaw& c, double m, double r) {
-  const double area_ratio = std::exp(2.0 * m);
-  // exp(2m) (m - 1/2) + 1/2, whose terms cancel for small m.
-  const double spherical = m * area_ratio - 0.5 * std::expm1(2.0 * m);
-  return c.spherical * spherical + c.deviator * r * r * area_ratio;
+  // exp(2m) (m - 1/2) + 1/2, whose terms cancel for small m: its series.
+  double spherical = 0.0, power = 2.0 * m * m;
+  for (int k = 2; k < 60; ++k, power *= 2.0 * m / k) spherical += 0.5 * (k - 1) * power;
+  return c.spherical * spherical + c.deviator * r * r * std::exp(2.0 * m);
 }
 
 LogarithmicBag logarithmic_state(const LogarithmicLaw& c, double m, double r) {

@@ -87,12 +87,13 @@ CylinderStretch closed_cylinder(const StretchedCylinder& cylinder, double overpr
   const Sheet& sheet = check_balloon(cylinder.sheet, cylinder.radius, overpressure);
   const double nu = sheet.poisson_ratio;
   const double modulus = sheet.young_modulus / (1.0 - nu * nu);
-  const double load = overpressure * cylinder.radius / (sheet.thickness * modulus);
-  double h = 1.0;
-  double z = 1.0;
-  for (int iteration = 0; iteration < 50; ++iteration) {
-    const double eh = green_lagrange(h);
-    const double ez = green_lagrange(z);
+  const double whole_load = overpressure * cylinder.radius / (sheet.thickness * modulus);
+  double u = 0.0, w = 0.0;  // lambda_h - 1, lambda_z - 1
+  // Newton follows the load, so that it stays on the branch of the unstretched cylinder.
+  const int stages = 1 + static_cast<int>(std::fmin(8.0 * whole_load, 800.0));
+  for (int iteration = 0; iteration < 50 + stages; ++iteration) {
+    const double load = whole_load * std::fmin(1.0, (iteration + 1.0) / stages);
+    const double h = 1.0 + u, z = 1.0 + w, eh = u * (1.0 + 0.5 * u), ez = w * (1.0 + 0.5 * w);
     const double f1 = eh + nu * ez - load * z;  // hoop: S_h = p R lambda_z / h
     const double f2 =
         z * (ez + nu * eh) - 0.5 * load * h * h;  // axial: lambda_z S_z = p R lambda_h^2 / (2 h)
@@ -101,17 +102,16 @@ CylinderStretch closed_cylinder(const StretchedCylinder& cylinder, double overpr
     const double a21 = z * nu * h - load * h;
     const double a22 = ez + nu * eh + z * z;
     const double det = a11 * a22 - a12 * a21;
-    const double dh = (f1 * a22 - f2 * a12) / det;
-    const double dz = (f2 * a11 - f1 * a21) / det;
-    h -= dh;
-    z -= dz;
-    if (std::abs(dh) + std::abs(dz) < 1e-15) break;
+    const double du = (f1 * a22 - f2 * a12) / det;
+    const double dw = (f2 * a11 - f1 * a21) / det;
+    u -= du;
+    w -= dw;
+    if (iteration >= stages && std::abs(du) + std::abs(dw) <= 1e-16 * (std::abs(u) + std::abs(w))) break;
   }
-  if (!(h >= 1.0 && h < 10.0 && std::abs(z) < 10.0))
+  if (!(u >= 0.0 && u < 9.0 && w > -1.0 && w < 9.0))
     check::refuse("overpressure", overpressure, "the closed cylinder has no moderate equilibrium at it");
-  const double eh = green_lagrange(h);
-  const double ez = green_lagrange(z);
-  return {h, z, modulus * (eh + nu * ez), modulus * (ez + nu * eh)};
+  const double eh = u * (1.0 + 0.5 * u), ez = w * (1.0 + 0.5 * w);
+  return {1.0 + u, 1.0 + w, modulus * (eh + nu * ez), modulus * (ez + nu * eh)};
 }
 
 }  // namespace closed_form

@@ -57,11 +57,13 @@ void check_distances(double occluder, double target) {
     check::refuse("target_distance", target, "must be finite and > occluder_distance");
 }
 
-double ratio_above_one(const char* name, double outer, double inner) {
-  check::positive("sphere_radius", inner);
-  if (!(std::isfinite(outer) && outer > inner))
-    check::refuse(name, outer, "must be finite and > the radius inside");
-  return inner / outer;
+// Half angle of the cone from a point at `distance` around a sphere, by its tangent: digits are left where
+// the sphere is next to the point.
+double cone_half_angle(const char* name, double distance, double radius) {
+  check::positive("sphere_radius", radius);
+  if (!(std::isfinite(distance) && distance > radius))
+    check::refuse(name, distance, "must be finite and > the radius inside");
+  return std::atan2(radius, std::sqrt(distance - radius) * std::sqrt(distance + radius));
 }
 
 }  // namespace
@@ -109,19 +111,19 @@ double hidden_coaxial_disc_fraction(double occluder_radius, double occluder_dist
 }
 
 double sphere_shadow_half_angle(double sphere_radius, double source_distance, double shell_radius) {
-  const double at_source = ratio_above_one("source_distance", source_distance, sphere_radius);
+  const double at_source = cone_half_angle("source_distance", source_distance, sphere_radius);
   if (!(std::isfinite(shell_radius) && shell_radius > source_distance))
     check::refuse("shell_radius", shell_radius, "must be finite and > source_distance");
-  return std::asin(at_source) + std::asin(sphere_radius / shell_radius);
+  return at_source + cone_half_angle("shell_radius", shell_radius, sphere_radius);
 }
 
 double visible_sphere_fraction(double sphere_radius, double source_distance) {
-  return 0.5 * (1.0 - ratio_above_one("source_distance", source_distance, sphere_radius));
+  cone_half_angle("source_distance", source_distance, sphere_radius);
+  return 0.5 * (source_distance - sphere_radius) / source_distance;
 }
 
 double sphere_solid_angle(double sphere_radius, double source_distance) {
-  const double ratio = ratio_above_one("source_distance", source_distance, sphere_radius);
-  const double sine_half = std::sin(0.5 * std::asin(ratio));
+  const double sine_half = std::sin(0.5 * cone_half_angle("source_distance", source_distance, sphere_radius));
   return 4.0 * pi * sine_half * sine_half;
 }
 

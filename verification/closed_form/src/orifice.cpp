@@ -16,6 +16,32 @@ double isentropic_flux(double gamma, double epsilon) {
   return std::sqrt(2.0 * gamma / (gamma - 1.0) * bracket);
 }
 
+// At an overpressure p - p_a that the difference of the pressures may be too coarse for.
+double flow_at(const Orifice& orifice, double overpressure) {
+  check::gas(orifice.gas);
+  check::positive("area", orifice.area);
+  check::above_upto("discharge_coefficient", orifice.discharge_coefficient, 0.0, 1.0);
+  check::positive("pressure", orifice.pressure, "temperature", orifice.temperature);
+  check::non_negative("ambient_pressure", orifice.ambient_pressure);
+  if (!(overpressure > 0.0)) return 0.0;
+  const auto [R, gamma] = orifice.gas;
+  const bool choked = orifice.ambient_pressure <= critical_pressure_ratio(gamma) * orifice.pressure;
+  const double flux =
+      choked ? choked_flux_coefficient(gamma) : isentropic_flux(gamma, overpressure / orifice.pressure);
+  return orifice.discharge_coefficient * orifice.area * orifice.pressure /
+         std::sqrt(R * orifice.temperature) * flux;
+}
+
+double flow_at(const PorousFabric& fabric, double overpressure) {
+  check::gas(fabric.gas);
+  check::positive("pressure", fabric.pressure, "temperature", fabric.temperature);
+  check::non_negative("ambient_pressure", fabric.ambient_pressure);
+  const double area = leak_area(fabric.porosity, fabric.fabric_area, fabric.law);
+  if (!(overpressure > 0.0)) return 0.0;
+  const double density = fabric.pressure / (fabric.gas.gas_constant * fabric.temperature);
+  return area * std::sqrt(2.0 * density * overpressure);
+}
+
 void check_tank(const PorousTank& tank) {
   check::gas(tank.gas);
   check::positive("volume", tank.volume);
@@ -66,18 +92,12 @@ double choked_flux_coefficient(double heat_capacity_ratio) {
 }
 
 double orifice_mass_flow(const Orifice& orifice) {
-  check::gas(orifice.gas);
-  check::positive("area", orifice.area);
-  check::above_upto("discharge_coefficient", orifice.discharge_coefficient, 0.0, 1.0);
-  check::positive("pressure", orifice.pressure, "temperature", orifice.temperature);
-  check::non_negative("ambient_pressure", orifice.ambient_pressure);
-  if (orifice.ambient_pressure >= orifice.pressure) return 0.0;
-  const auto [R, gamma] = orifice.gas;
-  const bool choked = orifice.ambient_pressure <= critical_pressure_ratio(gamma) * orifice.pressure;
-  const double epsilon = (orifice.pressure - orifice.ambient_pressure) / orifice.pressure;
-  const double flux = choked ? choked_flux_coefficient(gamma) : isentropic_flux(gamma, epsilon);
-  return orifice.discharge_coefficient * orifice.area * orifice.pressure /
-         std::sqrt(R * orifice.temperature) * flux;
+  return flow_at(orifice, orifice.pressure - orifice.ambient_pressure);
+}
+
+double orifice_mass_flow(Orifice orifice, double overpressure) {
+  orifice.pressure = orifice.ambient_pressure + overpressure;
+  return flow_at(orifice, overpressure);
 }
 
 double choking_overpressure(double heat_capacity_ratio, double ambient_pressure) {
@@ -103,13 +123,12 @@ double leak_area(double porosity, double fabric_area, PorosityLaw law) {
 }
 
 double porous_mass_flow(const PorousFabric& fabric) {
-  check::gas(fabric.gas);
-  check::positive("pressure", fabric.pressure, "temperature", fabric.temperature);
-  check::non_negative("ambient_pressure", fabric.ambient_pressure);
-  const double area = leak_area(fabric.porosity, fabric.fabric_area, fabric.law);
-  if (fabric.ambient_pressure >= fabric.pressure) return 0.0;
-  const double density = fabric.pressure / (fabric.gas.gas_constant * fabric.temperature);
-  return area * std::sqrt(2.0 * density * (fabric.pressure - fabric.ambient_pressure));
+  return flow_at(fabric, fabric.pressure - fabric.ambient_pressure);
+}
+
+double porous_mass_flow(PorousFabric fabric, double overpressure) {
+  fabric.pressure = fabric.ambient_pressure + overpressure;
+  return flow_at(fabric, overpressure);
 }
 
 double porous_tank_isothermal_end(const PorousTank& tank) {

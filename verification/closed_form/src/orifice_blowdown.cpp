@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cancellation.hpp"
 #include "check.hpp"
 #include "closed_form/orifice.hpp"
 #include "quadrature.hpp"
@@ -26,9 +27,10 @@ void check_tank(const Blowdown& tank) {
     check::refuse("initial_pressure", tank.initial_pressure, "must be > ambient_pressure");
 }
 
-// v of a pressure ratio p/p_a >= 1.
-double branch_variable(double gamma, double ratio) {
-  return std::sqrt(std::expm1((gamma - 1.0) / gamma * std::log(ratio)));
+// v of a pressure >= p_a.
+double branch_variable(const Blowdown& tank, double pressure) {
+  const double gamma = tank.gas.heat_capacity_ratio;
+  return std::sqrt(std::expm1((gamma - 1.0) / gamma * log_ratio(pressure, tank.ambient_pressure)));
 }
 
 double branch_pressure(const Blowdown& tank, double v) {
@@ -61,8 +63,7 @@ Branch adiabatic_branch(const Blowdown& tank) {
   // 2 m_f/((gamma-1) K) with m_f = p_a V/(R T_f), K = A p_a/sqrt(R T_f) sqrt(2 gamma/(gamma-1)).
   const double scale = 2.0 * tank.volume / ((gamma - 1.0) * area * std::sqrt(R * temperature)) /
                        std::sqrt(2.0 * gamma / (gamma - 1.0));
-  return {(2.0 - gamma) / (gamma - 1.0), scale,
-          branch_variable(gamma, subsonic_start(tank) / tank.ambient_pressure)};
+  return {(2.0 - gamma) / (gamma - 1.0), scale, branch_variable(tank, subsonic_start(tank))};
 }
 
 Branch isothermal_branch(const Blowdown& tank) {
@@ -70,8 +71,7 @@ Branch isothermal_branch(const Blowdown& tank) {
   const double area = tank.discharge_coefficient * tank.area;
   const double scale = 2.0 * tank.volume / (area * std::sqrt(R * tank.initial_temperature)) *
                        std::sqrt(gamma / (2.0 * (gamma - 1.0)));
-  return {1.0 / (gamma - 1.0) - 0.5, scale,
-          branch_variable(gamma, subsonic_start(tank) / tank.ambient_pressure)};
+  return {1.0 / (gamma - 1.0) - 0.5, scale, branch_variable(tank, subsonic_start(tank))};
 }
 
 double time_left(const Branch& branch, double v) {
@@ -92,8 +92,8 @@ GasState state_at(const Blowdown& tank, double pressure, double temperature) {
 // Time of the choked phase down to `pressure`, adiabatic.
 double choked_time(const Blowdown& tank, double pressure) {
   const double gamma = tank.gas.heat_capacity_ratio;
-  const double log_ratio = std::log(tank.initial_pressure / pressure);
-  return 2.0 * time_constant(tank) / (gamma - 1.0) * std::expm1(0.5 * (gamma - 1.0) / gamma * log_ratio);
+  const double fallen = log_ratio(tank.initial_pressure, pressure);
+  return 2.0 * time_constant(tank) / (gamma - 1.0) * std::expm1(0.5 * (gamma - 1.0) / gamma * fallen);
 }
 
 BlowdownTimes times_of(const Blowdown& tank, const Branch& branch, double unchoke_time, double temperature) {
@@ -136,13 +136,13 @@ double blowdown_time_of_pressure(const Blowdown& tank, double pressure) {
   check::within("pressure", pressure, tank.ambient_pressure, tank.initial_pressure);
   if (pressure >= subsonic_start(tank)) return choked_time(tank, pressure);
   const Branch branch = adiabatic_branch(tank);
-  const double v = branch_variable(tank.gas.heat_capacity_ratio, pressure / tank.ambient_pressure);
+  const double v = branch_variable(tank, pressure);
   return choked_time(tank, subsonic_start(tank)) + time_left(branch, branch.start) - time_left(branch, v);
 }
 
 BlowdownTimes isothermal_blowdown_times(const Blowdown& tank) {
   check_tank(tank);
-  const double unchoke = time_constant(tank) * std::log(tank.initial_pressure / subsonic_start(tank));
+  const double unchoke = time_constant(tank) * log_ratio(tank.initial_pressure, subsonic_start(tank));
   return times_of(tank, isothermal_branch(tank), unchoke, tank.initial_temperature);
 }
 
@@ -150,7 +150,7 @@ GasState isothermal_blowdown(const Blowdown& tank, double time) {
   check_tank(tank);
   check::non_negative("time", time);
   const double tau = time_constant(tank);
-  const double unchoke = tau * std::log(tank.initial_pressure / subsonic_start(tank));
+  const double unchoke = tau * log_ratio(tank.initial_pressure, subsonic_start(tank));
   const double pressure = time <= unchoke ? tank.initial_pressure * std::exp(-time / tau)
                                           : pressure_after(tank, isothermal_branch(tank), time - unchoke);
   return state_at(tank, pressure, tank.initial_temperature);

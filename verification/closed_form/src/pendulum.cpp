@@ -2,11 +2,14 @@
 #include "closed_form/pendulum.hpp"
 
 #include <gsl/gsl_sf_ellint.h>
-#include <gsl/gsl_sf_elljac.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <vector>
 
+#include "cancellation.hpp"
 #include "check.hpp"
 #include "quadrature.hpp"
 
@@ -15,16 +18,35 @@ namespace {
 
 using std::numbers::pi;
 
-// Complete elliptic integral K(k) from k' = sqrt(1 - k^2), by the arithmetic-geometric mean.
-double complete_elliptic(double complementary_modulus) {
-  double a = 1.0;
+// The arithmetic-geometric mean of 1 and k' = sqrt(1 - k^2), with what Jacobi's functions need of its steps.
+struct Means {
+  std::vector<double> ratios;  // c/a of each step, c half the difference of the last means
+  double mean = 1.0;
+};
+
+Means means_of(double complementary_modulus) {
+  Means m;
   double b = complementary_modulus;
-  for (int i = 0; i < 40 && std::abs(a - b) > 1e-16 * a; ++i) {
-    const double mean = 0.5 * (a + b);
-    b = std::sqrt(a * b);
-    a = mean;
+  for (int i = 0; i < 40 && std::abs(m.mean - b) > 1e-16 * m.mean; ++i) {
+    const double half = 0.5 * (m.mean - b), next = 0.5 * (m.mean + b);
+    b = std::sqrt(m.mean * b);
+    m.mean = next;
+    m.ratios.push_back(half / next);
   }
-  return 0.5 * pi / a;
+  return m;
+}
+
+// Complete elliptic integral K(k).
+double complete_elliptic(double complementary_modulus) {
+  return 0.5 * pi / means_of(complementary_modulus).mean;
+}
+
+// Jacobi's amplitude am(u, k): phi_N = 2^N a_N u, sin(2 phi_(n-1) - phi_n) = c_n/a_n sin phi_n.
+double jacobi_amplitude(const Means& means, double u) {
+  double phi = std::ldexp(means.mean * u, static_cast<int>(means.ratios.size()));
+  for (std::size_t n = means.ratios.size(); n-- > 0;)
+    phi = 0.5 * (phi + std::asin(means.ratios[n] * std::sin(phi)));
+  return phi;
 }
 
 double check_amplitude(double amplitude) {
@@ -71,14 +93,19 @@ PendulumState pendulum_swing(const Pendulum& pendulum, double amplitude, double 
   check_amplitude(amplitude);
   check::finite("time", time);
   const double omega0 = pendulum_constants(pendulum).angular_frequency;
-  const double k = std::sin(0.5 * amplitude);
-  const double quarter = complete_elliptic(std::cos(0.5 * amplitude));
-  const double u = quarter - std::remainder(omega0 * time, 4.0 * quarter);
-  double sn = 0.0;
-  double cn = 0.0;
-  double dn = 0.0;
-  gsl_sf_elljac_e(u, k * k, &sn, &cn, &dn);
-  return {2.0 * std::asin(k * sn), -2.0 * k * omega0 * cn};
+  const double k = std::sin(0.5 * amplitude), rest = std::cos(0.5 * amplitude);  // k, k'
+  const Means means = means_of(rest);
+  const double quarter = 0.5 * pi / means.mean;
+  const double v = std::remainder(omega0 * time, 4.0 * quarter), after = std::abs(v);
+  // From the turn, or from the bottom if that is nearer: k sn = sin(angle/2), so that both keep their digits.
+  const double bottom = quarter - after, turn = std::min(after, 2.0 * quarter - after);
+  const bool near_bottom = std::abs(bottom) < turn;
+  const double phi = jacobi_amplitude(means, near_bottom ? bottom : turn);
+  const double sn = std::sin(phi), cn = std::cos(phi), dn = std::hypot(rest, k * cn);
+  const double half =
+      near_bottom ? std::atan2(k * sn, dn) : std::copysign(1.0, bottom) * std::atan2(k * cn, rest);
+  const double speed = 2.0 * k * omega0 * (near_bottom ? cn : rest * sn / dn);
+  return {2.0 * half, v < 0.0 ? speed : -speed};
 }
 
 ImpulseResponse pendulum_impulse(const Pendulum& pendulum, double impulse) {
@@ -109,8 +136,10 @@ PendulumState half_sine_response(const Pendulum& pendulum, double force, double 
     check::refuse("duration", duration, "pi/duration must differ from omega0 (resonance)");
   const double amplitude = force * constants.angular_acceleration_per_force / ((w - forcing) * (w + forcing));
   const double t = std::fmin(time, duration);
-  const double angle = amplitude * (std::sin(forcing * t) - forcing / w * std::sin(w * t));
-  const double velocity = amplitude * forcing * (std::cos(forcing * t) - std::cos(w * t));
+  // sin(f t) - f/w sin(w t) and cos(f t) - cos(w t), whose terms cancel for small t.
+  const double angle = amplitude * forcing * t * (sinc_defect(w * t) - sinc_defect(forcing * t));
+  const double velocity =
+      2.0 * amplitude * forcing * std::sin(0.5 * (w + forcing) * t) * std::sin(0.5 * (w - forcing) * t);
   const double phase = w * (time - t);
   return {angle * std::cos(phase) + velocity / w * std::sin(phase),
           velocity * std::cos(phase) - w * angle * std::sin(phase)};

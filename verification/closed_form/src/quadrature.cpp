@@ -39,10 +39,13 @@ double integrate(const std::function<double(double)>& f, double a, double b, int
 
 double power_integral(double exponent, double v) {
   // x = sinh s: the integrand cosh(s)^(2b+1) is analytic for |Im s| < pi/2, so panels of 1/2 reach round-off.
+  // By log1p, as b may be large.
   const double end = std::asinh(v);
   const int panels = 1 + static_cast<int>(2.0 * end);
-  const double power = 2.0 * exponent + 1.0;
-  return integrate([power](double s) { return std::pow(std::cosh(s), power); }, 0.0, end, panels);
+  const auto integrand = [power = exponent + 0.5](double s) {
+    return std::exp(power * std::log1p(std::sinh(s) * std::sinh(s)));
+  };
+  return integrate(integrand, 0.0, end, panels);
 }
 
 double power_integral_inverse(double exponent, double value, double v_max) {
@@ -53,7 +56,7 @@ double power_integral_inverse(double exponent, double value, double v_max) {
   for (int iteration = 0; iteration < 100; ++iteration) {
     const double excess = power_integral(exponent, v) - value;
     (excess > 0.0 ? high : low) = v;
-    double next = v - excess / std::pow(1.0 + v * v, exponent);
+    double next = v - excess * std::exp(-exponent * std::log1p(v * v));
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     if (std::abs(next - v) <= 2e-16 * v) return next;
     v = next;

@@ -27,6 +27,17 @@ double largest_eigenvalue(std::array<double, 36> matrix) {
   return gsl_vector_max(&w.vector);
 }
 
+// Relative change of volume below which drifts are power series: logarithms cancel there.
+constexpr double kSmallDelta = 0.15;
+
+// Sum from k = `first` on of coefficient(k) x^k, |coefficient| <= 2^k/k, |x| <= 0.15.
+template <class Coefficient>
+double sum_of_powers(double x, int first, const Coefficient& coefficient) {
+  double sum = 0.0;
+  for (int k = first + 40; k-- > first;) sum = sum * x + coefficient(k);
+  return sum * std::pow(x, first);
+}
+
 double checked_modulus(const Sheet& sheet, const char* name, double length) {
   check::sheet(sheet, true);
   check::positive(name, length);
@@ -73,18 +84,23 @@ double euler_volume_work_drift(double heat_capacity_ratio, double delta) {
   const double gamma = check::heat_capacity_ratio(heat_capacity_ratio);
   if (!(delta > -1.0 && (gamma - 1.0) * delta < 1.0))
     check::refuse("delta", delta, "must be > -1 and < 1/(gamma - 1)");
-  return std::log1p(-(gamma - 1.0) * delta) + (gamma - 1.0) * std::log1p(delta);
+  const double a = gamma - 1.0;
+  if (std::abs(delta) > kSmallDelta) return std::log1p(-a * delta) + a * std::log1p(delta);
+  return sum_of_powers(delta, 2, [a](int k) { return -(std::pow(a, k) + (k % 2 == 0 ? a : -a)) / k; });
 }
 
 double trapezoid_volume_work_drift(double heat_capacity_ratio, double delta) {
   const double gamma = check::heat_capacity_ratio(heat_capacity_ratio);
   if (!(delta > -1.0 && 0.5 * (gamma - 1.0) * delta < 1.0 && 0.5 * (gamma + 1.0) * delta > -1.0))
     check::refuse("delta", delta, "must be > -2/(gamma + 1) and < 2/(gamma - 1)");
-  // The three logarithms cancel to third order: extended precision keeps eight digits at delta = 1e-4.
-  const long double g = gamma;
-  const long double d = delta;
-  return static_cast<double>(std::log1p(-0.5L * (g - 1.0L) * d) - std::log1p(0.5L * (g + 1.0L) * d) +
-                             g * std::log1p(d));
+  const double a = 0.5 * (gamma - 1.0), b = 1.0 + a;
+  if (std::abs(delta) > kSmallDelta)
+    return std::log1p(-a * delta) - std::log1p(b * delta) + gamma * std::log1p(delta);
+  // The three logarithms cancel to third order. Coefficient k: (-a^k + (-1)^k (b^k - gamma))/k.
+  return sum_of_powers(delta, 3, [a](int k) {
+    const double rest = std::expm1(k * std::log1p(a)) - 2.0 * a;
+    return (-std::pow(a, k) + (k % 2 == 0 ? rest : -rest)) / k;
+  });
 }
 
 double vent_equalisation_rate(const VentEqualisation& vent) {
@@ -119,7 +135,7 @@ double triangle_frequency(const Sheet& sheet, double base, double apex, double h
   const std::array<double, 3> dx{-height / twice_area, height / twice_area, 0.0};  // dN/dx
   const std::array<double, 3> dy{(apex - base) / twice_area, -apex / twice_area, base / twice_area};
   const double nu = sheet.poisson_ratio;
-  const double d11 = sheet.young_modulus / (1.0 - nu * nu);
+  const double d11 = 1.0 / (1.0 - nu * nu);  // over E
   const double d12 = nu * d11;
   const double d33 = 0.5 * (1.0 - nu) * d11;
   std::array<double, 36> stiffness{};  // B^T D B, unknowns u0 u1 u2 v0 v1 v2
@@ -130,7 +146,7 @@ double triangle_frequency(const Sheet& sheet, double base, double apex, double h
       stiffness[6 * i + j + 3] = d12 * dx[i] * dy[j] + d33 * dy[i] * dx[j];
       stiffness[6 * (j + 3) + i] = stiffness[6 * i + j + 3];
     }
-  return std::sqrt(3.0 / sheet.density * largest_eigenvalue(stiffness));
+  return std::sqrt(3.0 * sheet.young_modulus / sheet.density * largest_eigenvalue(stiffness));
 }
 
 double equilateral_triangle_frequency(const Sheet& sheet, double side) {
@@ -140,10 +156,10 @@ double equilateral_triangle_frequency(const Sheet& sheet, double side) {
 
 double right_triangle_frequency(const Sheet& sheet, double leg) {
   const double modulus = checked_modulus(sheet, "leg", leg);
-  const double k = modulus / (1.0 - sheet.poisson_ratio);
-  const double g = modulus / (2.0 * (1.0 + sheet.poisson_ratio));
+  const double k = 1.0 / (1.0 - sheet.poisson_ratio);  // over E
+  const double g = 0.5 / (1.0 + sheet.poisson_ratio);
   const double sum = k + 2.0 * g;
-  return std::sqrt(3.0 * (sum + std::sqrt(sum * sum - 6.0 * k * g))) / leg;
+  return std::sqrt(3.0 * modulus * (sum + std::sqrt(sum * sum - 6.0 * k * g))) / leg;
 }
 
 double equilateral_mesh_frequency(const Sheet& sheet, double side) {

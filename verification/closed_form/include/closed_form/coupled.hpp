@@ -41,8 +41,8 @@ struct GasSpringSwing {
   double peak_pressure = 0.0;  // [Pa] absolute, at the depth
 };
 /// Swing, adiabatic, if a constant force [N] > 0 pushes the piston in: m v^2/2 = F s - int (p - p_a) S ds.
-/// The period tends to 2 pi/gas_piston_frequency as the force falls; below 1e-3 p_a S digits go. Source:
-/// derived here from the energy integral.
+/// The period tends to 2 pi/gas_piston_frequency as the force falls. Source: derived here from the energy
+/// integral.
 GasSpringSwing gas_spring(const GasSpring& spring, double force);
 
 /// Pendulum whose impactor closes a gas cylinder; area, volume and pressure as for the piston.
@@ -68,6 +68,7 @@ struct SphereFill {
 /// State of the filled sphere.
 struct SphereFillState {
   double inflow_mass = 0.0;    // [kg]
+  double stretch = 1.0;        // [-]
   double pressure = 0.0;       // [Pa] absolute
   double volume = 0.0;         // [m3]
   double strain_energy = 0.0;  // [J]
@@ -76,8 +77,8 @@ struct SphereFillState {
 /// State at stretch >= 1 [-]: m_in = (p V/(gamma-1) + U_el + p_a (V - V0) - p_a V0/(gamma-1)) / (cp T_in).
 /// Source: derived here from the energy balance.
 SphereFillState sphere_fill(const SphereFill& scene, double stretch);
-/// Stretch [-] at which inflow_mass [kg] >= 0 has entered.
-double sphere_fill_stretch(const SphereFill& scene, double inflow_mass);
+/// State at which inflow_mass [kg] >= 0 has entered, to all digits also where the stretch rounds to 1.
+SphereFillState sphere_fill_by_mass(const SphereFill& scene, double inflow_mass);
 
 /// Elastic sphere at constant overpressure, pressed between two equal, rigid, frictionless spheres on its
 /// axis.

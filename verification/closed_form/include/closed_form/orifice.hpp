@@ -31,6 +31,8 @@ struct Orifice {
 /// Computed without cancellation for p_a -> p (expm1, log1p). Source: isentropic nozzle flow, textbook
 /// result.
 double orifice_mass_flow(const Orifice& orifice);
+/// The same at p - p_a [Pa], to all digits also where p would round to p_a; orifice.pressure is not read.
+double orifice_mass_flow(Orifice orifice, double overpressure);
 
 /// Overpressure p - p_a above which the hole is choked, p_a (1/r* - 1) [Pa].
 double choking_overpressure(double heat_capacity_ratio, double ambient_pressure);
@@ -64,6 +66,8 @@ struct PorousFabric {
 
 /// Mass flow C sqrt(2 rho (p - p_a)) [kg/s], rho = p/(R T); 0 if p_a >= p.
 double porous_mass_flow(const PorousFabric& fabric);
+/// The same at p - p_a [Pa], to all digits also where p would round to p_a; fabric.pressure is not read.
+double porous_mass_flow(PorousFabric fabric, double overpressure);
 
 /// Rigid tank that empties through a hole into the ambient gas.
 struct Blowdown {
