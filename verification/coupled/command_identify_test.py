@@ -144,7 +144,8 @@ def test_identify_heat_loss():
 
 def test_identify_units(data):
     """Milliseconds, semicolons, decimal commas and gauge pressures of two units give the curves of the same readings in SI units, but for
-    the last bits of the readings, which the search for lambda carries on: 1e-5 as in test_identify_shipped."""
+    the last bits of the readings, which the search for lambda carries on: 1e-5 as in test_identify_shipped. Readings without noise leave
+    little to tell a band's width from: its ends may move by 2 % of it."""
     readings = numbers("data.csv")
     write("foreign.csv", "Zeit [ms];Kammer [MPa];Kanne [bar]", *(f"{1e3 * t:.17g};{1e-6 * c:.17g};{(p - 98000) / 1e5:.17g}".replace(".", ",") for t, c, p in zip(
         readings["time_s"], readings["chamber_pressure_Pa"], readings["tank_pressure_Pa"])))
@@ -153,10 +154,13 @@ def test_identify_units(data):
     ok(f"identify data.csv {BASE} --out curves.csv")
     ok(f"identify foreign.csv {BASE} --out foreign_curves.csv", *names, *units)
     assert has("foreign_curves.csv", "^# units: time in ms, tank pressure in bar gauge, chamber pressure in MPa, ambient pressure 98000 Pa$")
-    for name, column in numbers("curves.csv").items():
+    mine, foreign = numbers("curves.csv"), numbers("foreign_curves.csv")
+    for name, column in mine.items():
         if name == "amplification":  # four digits
             continue
-        assert numbers("foreign_curves.csv")[name] == pytest.approx(column, abs=1e-5 * max(map(abs, column)), rel=0), name
+        ends = [re.sub("_(low|high)_", end, name) for end in ("_low_", "_high_")]
+        for x, y, low, high in zip(column, foreign[name], mine[ends[0]], mine[ends[1]]):
+            assert abs(x - y) <= 1e-5 * max(map(abs, column)) + 0.02 * (high - low if name in ends and ends[0] != ends[1] else 0.0), name
     refused('--tank-unit is "km", allowed: Pa, .*, also with gauge or absolute', f"identify data.csv {BASE} --out none.csv", "--tank-unit", "km")
     refused('--time-unit is "kPa", allowed: s, ms, us$', f"identify data.csv {BASE} --out none.csv", "--time-unit", "kPa")
     refused("--ambient-pressure needs a gauge unit", f"identify data.csv {BASE} --out none.csv --ambient-pressure 98000 --tank-unit Pa")

@@ -32,19 +32,32 @@ void print_list() {
 
 // The output of a closed form. Values that do not depend on the abscissa are outside the table, so that the
 // table can be compared with a history.
+template <class Value>
 struct Printed {
-  std::vector<std::pair<std::string, double>> constants;
-  std::vector<std::vector<double>> rows;
+  std::vector<std::pair<std::string, Value>> constants;
+  std::vector<std::vector<Value>> rows;
 
-  Printed(const closed_form::Entry& entry, const closed_form::Table& table) : rows(table.rows.size()) {
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      if (entry.is_constant(table.columns[c]))
-        constants.emplace_back(table.columns[c], table.rows.front()[c]);
+  Printed(const closed_form::Entry& entry, const std::vector<std::vector<Value>>& all) : rows(all.size()) {
+    for (std::size_t c = 0; c < entry.columns.size(); ++c) {
+      if (entry.is_constant(entry.columns[c]))
+        constants.emplace_back(entry.columns[c], all.front()[c]);
       else
-        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(table.rows[i][c]);
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(all[i][c]);
     }
   }
 };
+
+// The digits that are left; 0e-16 if none is.
+std::vector<std::vector<std::string>> texts_of(const closed_form::RoundedTable& table) {
+  std::vector<std::vector<std::string>> texts(table.rows.size());
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      const double value = table.rows[i][c], unit = table.within[i][c];
+      texts[i].push_back(value == 0.0 && unit > 0.0 ? fmt::format("0e{:.0f}", std::log10(unit))
+                                                    : fmt::format("{}", value));
+    }
+  return texts;
+}
 
 // The catalogue page of the documentation.
 void print_page() {
@@ -52,13 +65,20 @@ void print_page() {
       "# Closed forms\n\n"
       "Printed by `gasjet exact --list --format markdown`. "
       "`gasjet exact NAME --set parameter=value --times 0:0.3:1e-3` prints one of\n"
-      "them as CSV or JSON (`--format`); SI units; the digits are those that are correct. `--times` gives\n"
-      "the values of the first column, which is the time or what the form says. "
-      "A value beside the table does not\ndepend on it: a `#` line of the CSV. "
-      "Parameters outside their validity are refused.\n\n"
-      "`--proved` prints lower and upper bounds of the formula, [with "
-      "proof](theory/enclosure.md#closed-forms); "
-      "`gasjet exact\n--list --proved` prints which forms have them.\n");
+      "them as CSV or JSON (`--format`); SI units. `--times` gives the values of the first column, which is\n"
+      "the time or what the form says. A value beside the table does not depend on it: a `#` line of the\n"
+      "CSV. Parameters outside their validity are refused.\n\n"
+      "A printed number is within one unit of its last digit of the exact value. It has at most the digits\n"
+      "that the form states, and fewer where terms cancel. Each row is computed four times, with every\n"
+      "operation rounded to nearest, up, down and toward zero; digits that differ are left out. (A browser\n"
+      "rounds to nearest only: there all stated digits are printed.) `0e-16` says that the value is within\n"
+      "1e-16 of 0 and that no digit of it is known. `within` in JSON is the unit of each number, or 0 if no\n"
+      "rounding took part.\n\n"
+      "`--proved` prints lower and upper bounds of the formula, "
+      "[with proof](theory/enclosure.md#closed-forms).\n"
+      "`gasjet exact --list --proved` prints which forms have them; `--format json` is for programs. Bounds\n"
+      "wider than 1e-20 of the value are named, in `#` lines of the CSV and in `wide` of the JSON; then the\n"
+      "exit code is 3.\n");
   std::string family;
   for (const auto& entry : closed_form::catalogue()) {
     if (entry.family != family) fmt::print("\n## {}\n", family = entry.family);
@@ -106,21 +126,24 @@ void print_list_json() {
 }
 
 void print_csv(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
-               const closed_form::Table& table) {
+               const closed_form::RoundedTable& table) {
   fmt::print("# name: {}\n# equation: {}\n# source: {}\n# validity: {}\n# digits: {}\n", entry.name,
              entry.equation, entry.source, entry.validity, entry.digits);
   for (const auto& [name, value] : parameters) fmt::print("# {}: {}\n", name, value);
-  const Printed printed(entry, table);
+  const Printed printed(entry, texts_of(table));
   for (const auto& [name, value] : printed.constants) fmt::print("# {}: {}\n", name, value);
   fmt::print("{}\n", fmt::join(table_columns(entry), ","));
   for (const auto& row : printed.rows) fmt::print("{}\n", fmt::join(row, ","));
 }
 
 void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap& parameters,
-                const closed_form::Table& table) {
-  const Printed printed(entry, table);
-  Json constants = Json::object();
-  for (const auto& [name, value] : printed.constants) constants[name] = value;
+                const closed_form::RoundedTable& table) {
+  const Printed printed(entry, table.rows), within(entry, table.within);
+  const auto object_of = [](const auto& pairs) {
+    Json constants = Json::object();
+    for (const auto& [name, value] : pairs) constants[name] = value;
+    return constants;
+  };
   auto object = json_head<Json>();
   object.update({{"name", entry.name},
                  {"equation", entry.equation},
@@ -128,9 +151,11 @@ void print_json(const closed_form::Entry& entry, const closed_form::ParameterMap
                  {"validity", entry.validity},
                  {"digits", entry.digits},
                  {"parameters", parameters},
-                 {"constants", constants},
+                 {"constants", object_of(printed.constants)},
+                 {"constants_within", object_of(within.constants)},
                  {"columns", table_columns(entry)},
-                 {"rows", printed.rows}});
+                 {"rows", printed.rows},
+                 {"within", within.rows}});
   fmt::print("{}\n", object.dump(2));
 }
 
@@ -173,7 +198,7 @@ int exact(const ExactArguments& arguments) {
     const auto& entry = closed_form::find_entry(arguments.name);
     const auto given = parse_parameters(arguments.parameters);
     const auto times = parse_times(arguments.times);
-    const auto table = closed_form::evaluate(entry, given, times);
+    const auto table = closed_form::evaluate_rounded(entry, given, times);
     const auto parameters = closed_form::complete_parameters(entry, given);
     arguments.format == "json" ? print_json(entry, parameters, table) : print_csv(entry, parameters, table);
   } catch (const std::invalid_argument& error) {

@@ -75,8 +75,8 @@ def test_refusals_say_why():
 
 
 def test_closed_forms_have_bounds(tmp_path):
-    """The printed form is inside its bounds to its digits; bounds are decimals that enclose known numbers."""
-    for words, tolerance in ((["blowdown", "--times", "0:0.35:0.01"], 1e-13), (["tank_fill", "--set", "V=0.05"], 1e-15)):
+    """The printed form is inside its bounds to one unit of its 13 or 15 digits; bounds are decimals that enclose known numbers."""
+    for words, tolerance in ((["blowdown", "--times", "0:0.35:0.01"], 1e-12), (["tank_fill", "--set", "V=0.05"], 1e-14)):
         mine, proved = gasjet("exact", *words), gasjet("exact", *words, "--proved")
         assert proved.returncode == 0, proved.stderr
         (tmp_path / "mine.csv").write_text(mine.stdout, encoding="utf-8")

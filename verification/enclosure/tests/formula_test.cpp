@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "closed_form/catalogue.hpp"
+#include "random_rows.hpp"
 
 namespace {
 
@@ -15,13 +15,7 @@ using closed_form::Entry;
 using closed_form::ParameterMap;
 using Row = std::vector<double>;
 
-enclosure::Question question_of(const Entry& entry, const ParameterMap& parameters, const Row& abscissae) {
-  enclosure::Question question{entry.name, {}, entry.columns, abscissae};
-  if (entry.has_abscissa()) question.columns.erase(question.columns.begin());
-  for (const auto& p : entry.parameters)
-    question.values[p.symbol.empty() ? p.name : p.symbol] = parameters.at(p.name);
-  return question;
-}
+using test::question_of;
 
 /// Abscissae of the form's own, the first and the last among them.
 Row some_abscissae(const Entry& entry, std::size_t count) {

@@ -72,4 +72,18 @@ ParameterMap complete_parameters(const Entry& entry, const ParameterMap& given);
 /// - values outside the validity, as the closed form reports them, with the parameters given.
 Table evaluate(const Entry& entry, const ParameterMap& given = {}, std::span<const double> abscissae = {});
 
+/// Values without the digits that rounding spoils.
+struct RoundedTable : Table {
+  /// A unit of the last digit of each value, a power of ten: the exact value is within it. 0: no rounding
+  /// took part, as of the abscissa.
+  std::vector<std::vector<double>> within;
+};
+
+/// The rows of evaluate(), with the digits that are left and at most Entry::digits of them; 0 where none is.
+/// Each row is computed four times, every operation rounded to nearest, up, down and toward zero: the spread
+/// estimates what rounding does. Where the machine has one rounding only, Entry::digits are taken as left.
+/// Throws as evaluate(), and for a number on the way that overflows.
+RoundedTable evaluate_rounded(const Entry& entry, const ParameterMap& given = {},
+                              std::span<const double> abscissae = {});
+
 }  // namespace closed_form
