@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jobs of the program in workers (worker.js): one for each core of the machine, and one more for what is short.
+// Jobs of the program in workers (worker.js): one for each core of the machine, and one more for what is short. `compiled` is a promise:
+// a worker starts while the program is compiled, once for all of them.
 "use strict";
 
 class Jobs {
@@ -37,13 +38,13 @@ class Jobs {
     while (this.waiting.length > 0 && this.busy.size <= this.cores) {
       const worker = this.idle.pop() ?? this.hire(), task = this.waiting.shift();
       this.busy.set(worker, task);
-      worker.postMessage(task.job);
+      this.compiled.then(() => worker.postMessage(task.job));
     }
   }
 
   hire() {
     const worker = new Worker(this.url);
-    worker.postMessage({ compiled: this.compiled });
+    this.compiled.then(compiled => worker.postMessage({ compiled }));
     worker.onmessage = ({ data }) => this.hear(worker, data);
     worker.onerror = event => this.hear(worker, { id: this.busy.get(worker)?.job.id, code: 3, out: [], says: [event.message], files: {}, bytes: 0 });
     return worker;
@@ -62,7 +63,8 @@ class Jobs {
 
 // What make_page.py packed, { wasm, worker, data }, as { jobs, data }.
 const startProgram = async ({ wasm, worker, data }) => {
-  const [compiled, script, read] = await Promise.all([unpacked(wasm).then(bytes => WebAssembly.compile(bytes)), unpacked(worker),
-    unpacked(data).then(bytes => JSON.parse(asText(bytes)))]);
-  return { jobs: new Jobs(script, compiled, Math.min(navigator.hardwareConcurrency || 2, 8)), data: read };
+  const compiled = unpacked(wasm).then(bytes => WebAssembly.compile(bytes)), jobs = new Jobs(await unpacked(worker), compiled, Math.min(navigator.hardwareConcurrency || 2, 8));
+  jobs.idle.push(jobs.hire());
+  const [read] = await Promise.all([unpacked(data).then(bytes => JSON.parse(asText(bytes))), compiled]);
+  return { jobs, data: read };
 };

@@ -3,7 +3,7 @@
 "use strict";
 
 const at = id => document.getElementById(id);
-let cases = {}, jobs, runs, editor, sliders = [], extra = {}, checked = 0, checkBegan = 0, again = null, isBusy = false, chosenColumn = "", reportTimer = 0;
+let cases = {}, jobs, runs, editor, sliders = [], extra = {}, checked = 0, checkBegan = 0, again = null, isBusy = false, runningText = "", checkWaits = false, chosenColumn = "", reportTimer = 0;
 
 const status = (text, part) => {
   at("status").textContent = text;
@@ -39,8 +39,10 @@ const addSlider = name => {
   sliders.push({ name, low, high, whole: /^[+-]?[\d_]+$/.test(number.text) });
 };
 
-// The newest text counts; a check that takes long makes room for it.
+// The newest text counts; a check that takes long makes room for it. A text that runs is checked when its run is over.
 const check = async () => {
+  checkWaits = isBusy && editor.text === runningText;
+  if (checkWaits) return;
   if (checkBegan && performance.now() - checkBegan > 1000) jobs.stop("check");
   checkBegan = performance.now();
   const mine = ++checked, answer = await jobs.run({ files: files(), commands: [["check", "case.toml"]] }, { group: "check" });
@@ -94,6 +96,7 @@ const variants = kind => {
 const start = async kind => {
   if (isBusy) return void (again = kind);
   isBusy = true;
+  runningText = editor.text;
   at("stop").disabled = false;
   const began = performance.now(), show = (part, text) => status(text || "running", part);
   status("running", 0);
@@ -121,6 +124,7 @@ const start = async kind => {
   const next = again;
   again = null;
   if (next) start(next);
+  else if (checkWaits) check();
 };
 
 const stop = () => {
