@@ -20,15 +20,15 @@ LIVE = ("packing", "case_text", "jobs", "plot", "live")
 
 
 def packed(content):
-    """gzip as text of seven bits a character, a seventh longer; HTML would change NUL, CR and <, which stand 256 higher."""
+    """gzip as text of seven bits a character, a seventh longer; HTML would change NUL, CR and the < of tags, which stand 256 higher."""
     with tempfile.NamedTemporaryFile() as file:
         file.write(content)
         file.flush()
-        data = subprocess.run(["zopfli", "-c", "--i5", file.name], capture_output=True, check=True).stdout
+        data = subprocess.run(["zopfli", "-c", "--i15", file.name], capture_output=True, check=True).stdout
     bits = "".join(f"{byte:08b}" for byte in data)
     bits += "0" * (-len(bits) % 7)
-    codes = (int(bits[i:i + 7], 2) for i in range(0, len(bits), 7))
-    return "".join(chr(code + 256 if code in (0, 13, 60) else code) for code in codes)
+    text = "".join(chr(int(bits[i:i + 7], 2)) for i in range(0, len(bits), 7))
+    return re.sub(r"[\0\r]|<(?=[/!])", lambda found: chr(ord(found[0]) + 256), text)
 
 
 def cases():
