@@ -13,13 +13,14 @@
 namespace closed_form {
 namespace {
 
-#ifdef FE_UPWARD
-// With products of both signs, errors may cancel up and down, but not toward zero.
+// With products of both signs, errors may cancel up and down, but not toward zero. WebAssembly rounds to
+// nearest only: there all spreads are 0.
 constexpr std::initializer_list<int> kDirections{FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+#ifdef FE_OVERFLOW
 constexpr int kBeyond = FE_OVERFLOW | FE_DIVBYZERO;
 #else
-constexpr std::initializer_list<int> kDirections{};  // WebAssembly
-constexpr int kBeyond = 0;
+constexpr int kBeyond = 0;  // WebAssembly has no flags either
 #endif
 
 // The unit is at least this many spreads: half of it is for the spread, half for rounding to decimals.
