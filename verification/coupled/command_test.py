@@ -237,7 +237,7 @@ def test_exact():
             ("no_such", "no_such"), ("; is 'blowdown' meant.$", "blowdow"), ("'nan' is not a finite number", "tank_fill --set volume=nan"),
             ("given twice", "tank_fill --set volume=1 --set volume=2"), ("--list: prints the whole catalogue", "tank_fill --list"),
             ("--format csv: prints one NAME; for --list use markdown or json", "--list --format csv"),
-            ("--times.*is empty, needed: first:last:step", "tank_fill --times="), ("--times.*is empty", "--list --times="),
+            ("--times.*is empty, needed: first:last:step", "tank_fill --times="), ("--times 1,2: .*first:last:step", "tank_fill --times 1,2"), ("--times.*is empty", "--list --times="),
             ("prints --list only", "tank_fill --format markdown"), ("patch_angle", "pressed_balloon --times 1e-300"),
             ("overpressure", "pressed_balloon --set young_modulus=3"), ("no_such_parameter", "tank_fill --set no_such_parameter=1")):
         refused(pattern, f"exact {command}")
