@@ -29,27 +29,37 @@ enclosure::Species species_of(const gas::Species& s) {
   return result;
 }
 
-/// Times at which a trigger comes on, goes off, comes on and so on.
-std::vector<double> switching_times(const Scene& scene, std::size_t trigger, const std::string& key) {
-  const auto times = gas::switching_times(scene.gas->model.triggers, trigger, scene.time.end);
+enclosure::Sensor sensor_of(const Scene& scene, std::size_t i) {
+  const gas::Sensor& sensor = scene.gas->model.triggers.sensors[i];
+  if (sensor.kind == gas::SensorKind::pressure) return {{}, sensor.threshold, sensor.reset};
+  const auto times = gas::switching_times(scene.gas->model.triggers, i, scene.time.end);
   if (!times)
-    throw CaseError(
-        key +
-        ": depends on a sensor of pressure or contact, whose times are not enclosed; allowed: sensors of "
-        "time and signal");
-  return *times;
+    throw CaseError(fmt::format(
+        "sensor.{}: a sensor of contact is not enclosed; allowed: sensors of time, signal and overpressure",
+        i));
+  return {*times};
+}
+
+void add_network(const Scene& scene, enclosure::Scene& result) {
+  const gas::TriggerModel& triggers = scene.gas->model.triggers;
+  for (std::size_t i = 0; i < triggers.sensors.size(); ++i) result.sensors.push_back(sensor_of(scene, i));
+  using Logic = enclosure::Gate::Logic;
+  for (const gas::Gate& gate : triggers.gates)
+    result.gates.push_back({gate.logic == gas::Logic::all   ? Logic::all
+                            : gate.logic == gas::Logic::any ? Logic::any
+                                                            : Logic::negated,
+                            gate.inputs, gate.delay, gate.latch});
 }
 
 void add_inflators(const Scene& scene, enclosure::Scene& result) {
   const auto& model = scene.gas->model;
   for (std::size_t i = 0; i < model.inflows.size(); ++i) {
     const gas::Inflow& inflow = model.inflows[i];
-    std::vector<double> on{0.0};
-    if (inflow.trigger) on = switching_times(scene, *inflow.trigger, fmt::format("inflator.{}.trigger", i));
     enclosure::Inflator inflator{inflow.mass_fractions, knots_of(inflow.mass_flow),
                                  knots_of(inflow.temperature)};
-    if (!on.empty() && inflow.start_time < std::numeric_limits<double>::infinity())
-      inflator.start = on.front() + inflow.start_time;
+    inflator.node = inflow.trigger;
+    if (inflow.start_time < std::numeric_limits<double>::infinity())
+      inflator.start = inflow.start_time;
     else
       inflator.mass_flow = {{0.0, 0.0}};
     result.inflators.push_back(std::move(inflator));
@@ -63,8 +73,7 @@ void add_holes(const Scene& scene, enclosure::Scene& result) {
     enclosure::Hole hole{vent.discharge_coefficient, {{0.0, vent.area}}, {}, vent.backflow};
     if (vent.area_of_time) hole.area = knots_of(*vent.area_of_time);
     if (vent.area_of_overpressure) hole.area_of_overpressure = knots_of(*vent.area_of_overpressure);
-    if (vent.trigger)
-      hole.switching = switching_times(scene, *vent.trigger, fmt::format("vent.{}.trigger", j));
+    hole.node = vent.trigger;
     if (vent.backflow) result.ambient_fractions = model.ambient.mass_fractions;
     result.holes.push_back(std::move(hole));
   }
@@ -93,6 +102,7 @@ enclosure::Scene enclosure_scene(const Scene& scene) {
     result.volume = knots_of(*gas.tank_volume->table);
   else if (const auto& wave = gas.tank_volume)
     result.wave = enclosure::Wave{wave->mean, wave->amplitude, wave->frequency, wave->phase};
+  add_network(scene, result);
   add_inflators(scene, result);
   add_holes(scene, result);
   if (gas.tank_leak_area > 0.0 && model.fabrics.empty()) result.fabrics.push_back({gas.tank_leak_area});

@@ -134,4 +134,13 @@ inline Ball exact_difference(const Ball& a, const Ball& b) {
   return c;
 }
 
+/// Sum with an exact number, exact if the first is.
+inline Ball later(const Ball& time, const Ball& by) {
+  return arb_is_exact(time.get()) ? exact_sum(time, by) : time + by;
+}
+/// Order of exact numbers.
+inline bool before(const Ball& a, const Ball& b) {
+  return arf_cmp(arb_midref(a.get()), arb_midref(b.get())) < 0;
+}
+
 }  // namespace enclosure

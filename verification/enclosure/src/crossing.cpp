@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Steps across switches of the law, and across changes of functions of time at uncertain times.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "work.hpp"
@@ -8,23 +9,10 @@
 namespace enclosure {
 namespace {
 
-/// Encloses the T of every u in the ball, by the interval Newton method (R. E. Moore, "Interval Analysis",
-/// 1966, ch. 7): u(T) rises, so T lies in middle + (u - u(middle))/u'(guess) if that lies in the guess. Not
-/// finite if it cannot.
-Ball temperature_on(const Balls& u_of_t, const Ball& u) {
+Balls derivative(const Balls& c) {
   Balls slope;
-  for (std::size_t j = 1; j < u_of_t.size(); ++j) slope.push_back(u_of_t[j] * Ball(static_cast<double>(j)));
-  Ball t(joint_temperature);
-  for (int i = 0; i < 60; ++i) t = midpoint(t - (polynomial(u_of_t, t) - midpoint(u)) / polynomial(slope, t));
-  const Ball residual = u - polynomial(u_of_t, t);
-  double reach = 2.0 * (residual / polynomial(slope, t)).radius() + 1e-30;
-  for (int i = 0; i < 60; ++i, reach *= 2.0) {
-    const Ball guess = wider(t, reach), improved = t + residual / polynomial(slope, guess);
-    if (guess.contains(improved)) return improved;
-  }
-  Ball unknown;
-  arb_indeterminate(unknown.get());
-  return unknown;
+  for (std::size_t j = 1; j < c.size(); ++j) slope.push_back(c[j] * Ball(static_cast<double>(j)));
+  return slope;
 }
 
 Ball at_most(const Ball& a, double limit) {
@@ -64,39 +52,92 @@ Balls Walk::rates_over(const Balls& box, const Span& span, Mode mode, Sides& see
   Balls all;
   for (const Regime& regime : regimes(seen)) {
     Work& w = work(regime);
-    w.across.run(core(box), span, mode);
+    w.across.run(core(box), span, 0, mode);
     Balls f;
-    for (int id : w.law.rates) f.push_back(w.across.value(id));
-    for (int id : w.law.streams) f.push_back(w.across.value(id));
-    f.push_back(w.across.value(w.law.energy_rate));
+    for (int id : w.wide.rates) f.push_back(w.across.value(id));
+    for (int id : w.wide.streams) f.push_back(w.across.value(id));
+    f.push_back(w.across.value(w.wide.energy_rate));
     for (std::size_t i = 0; i < f.size(); ++i) f[i] = all.empty() ? f[i] : hull(all[i], f[i]);
     all = f;
   }
   return all;
 }
 
-/// Temperature of the mass and fractions in `box` with internal energy U [J]. Between the energies of the two
-/// ranges at 1000 K it is 1000 K; of two temperatures it is the lower.
-Ball Walk::temperature_of(const Balls& box, const Ball& energy) const {
-  Balls low(6), high(6);
+/// Internal energy per mass, of the lower or the upper range.
+struct Walk::Energies {
+  Balls fractions;
+  std::array<std::vector<Balls>, 2> powers;  // of T, of each species
+
+  Ball slope(bool high, const Ball& t) const {
+    Ball sum;
+    for (std::size_t k = 0; k < fractions.size(); ++k)
+      sum = sum + fractions[k] * polynomial(derivative(powers[high][k]), t);
+    return sum;
+  }
+  /// By the mean value theorem: Horner's scheme over a ball is wide. Near 1000 K each species adds little.
+  Ball at(bool high, const Ball& t) const {
+    Ball sum = slope(high, t) * spread(t);
+    for (std::size_t k = 0; k < fractions.size(); ++k)
+      sum = sum + fractions[k] * polynomial(powers[high][k], midpoint(t));
+    return sum;
+  }
+  /// Encloses the T of every u in the ball, by the interval Newton method (R. E. Moore, "Interval Analysis",
+  /// 1966, ch. 7): u(T) rises, so T lies in middle + (u - u(middle))/u'(guess) if that lies in the guess. Not
+  /// finite if it cannot.
+  Ball temperature(bool high, const Ball& u) const {
+    Ball t(joint_temperature);
+    for (int i = 0; i < 60; ++i) t = midpoint(t - (at(high, t) - midpoint(u)) / slope(high, t));
+    const Ball residual = u - at(high, t);
+    double reach = 2.0 * (residual / slope(high, t)).radius() + 1e-30;
+    for (int i = 0; i < 60; ++i, reach *= 2.0) {
+      const Ball guess = wider(t, reach), improved = t + residual / slope(high, guess);
+      if (guess.contains(improved)) return improved;
+    }
+    Ball unknown;
+    arb_indeterminate(unknown.get());
+    return unknown;
+  }
+};
+
+Walk::Energies Walk::energies(const Balls& box) const {
+  Energies u;
   Ball last(1.0);
   for (std::size_t k = 0; k < tank_.species(); ++k) {
     std::vector<double> pure(tank_.species(), 0.0);
     pure[k] = 1.0;
-    const Ball y = k + 1 < tank_.species() ? box[k + 2] : last;
-    last = last - y;
-    const Balls a = tank_.internal_energy(pure, false), b = tank_.internal_energy(pure, true);
-    for (std::size_t j = 0; j < a.size(); ++j) {
-      low[j] = low[j] + y * a[j];
-      high[j] = high[j] + y * b[j];
-    }
+    u.fractions.push_back(k + 1 < tank_.species() ? box[k + 2] : last);
+    last = last - u.fractions.back();
+    for (const bool high : {false, true}) u.powers[high].push_back(tank_.internal_energy(pure, high));
   }
+  return u;
+}
+
+/// Internal energy [J] of the set, in whichever range.
+Ball Walk::energy() {
+  const Balls box = set_.box();
+  const Energies u = energies(box);
+  const Ball t = temperature();
+  std::optional<Ball> all;
+  for (const Regime& regime : regimes(sides(box, {time_, time_}))) {
+    bool high = true;
+    for (std::size_t i = 0; i < regime.size(); ++i)
+      high = high && (regime[i] || tank_.surfaces[i].kind < Surface::Kind::joint);
+    const Ball one = box[0] * u.at(high, t);
+    all = all ? hull(*all, one) : one;
+  }
+  return *all;
+}
+
+/// Temperature of the mass and fractions in `box` with internal energy U [J]. Between the energies of the two
+/// ranges at 1000 K it is 1000 K; of two temperatures it is the lower.
+Ball Walk::temperature_of(const Balls& box, const Ball& energy) const {
+  const Energies mixture = energies(box);
   const Ball u = energy / box[0], joint(joint_temperature);
-  const Ball to_low = u - polynomial(low, joint), to_high = u - polynomial(high, joint);
-  if (to_low.is_negative()) return temperature_on(low, u);
-  if (to_low.is_positive() && to_high.is_positive()) return temperature_on(high, u);
-  return hull(hull(at_most(temperature_on(low, u), joint_temperature), joint),
-              at_least(temperature_on(high, u), joint_temperature));
+  const Ball to_low = u - mixture.at(false, joint), to_high = u - mixture.at(true, joint);
+  if (to_low.is_negative()) return mixture.temperature(false, u);
+  if (to_low.is_positive() && to_high.is_positive()) return mixture.temperature(true, u);
+  return hull(hull(at_most(mixture.temperature(false, u), joint_temperature), joint),
+              at_least(mixture.temperature(true, u), joint_temperature));
 }
 
 /// All solutions from the set over [time, end], whatever laws hold on the way: if x + [0,h] F(Y) lies in Y, F
@@ -125,27 +166,24 @@ std::optional<Crossing> Walk::crossing(const Ball& end) {
       result.end.push_back(box[i] + result.step[i]);
     }
     if (result.at_joint) {
-      Sides unused;
-      Ball energy;
-      bool first = true;
-      for (const Regime& regime : regimes(sides(box, {time_, time_}))) {
-        Work& w = work(regime);
-        w.across.run(core(box), {time_, time_}, Mode::across);
-        energy = first ? w.across.value(w.law.energy) : hull(energy, w.across.value(w.law.energy));
-        first = false;
-      }
-      next[1] = hull(box[1], temperature_of(next, energy + all * f.back()));
-      result.end[1] = temperature_of(result.end, energy + length * mean.back());
+      const Ball begin = energy();
+      next[1] = hull(box[1], temperature_of(next, begin + all * f.back()) * pressure_of_kelvin(next, span));
+      result.end[1] = temperature_of(result.end, begin + length * mean.back());
     }
     bool proved = true;
     for (std::size_t i = 0; i < unknowns_; ++i) proved = proved && reached[i].contains(next[i]);
     if (proved) {
+      const Ball kelvin = pressure_of_kelvin(result.end, {end, end});
       for (std::size_t i = 0; i < box.size(); ++i) {
-        const double added =
-            result.at_joint && i == 1 ? result.end[1].radius() - box[1].radius() : result.step[i].radius();
+        double added = result.step[i].radius();
+        if (result.at_joint && i == 1)
+          added = (result.end[1].radius() - temperature().radius()) * kelvin.middle();
         result.width = std::max(result.width, added / std::max(scale[i], 0.1 * box[i].radius() / tolerance_));
       }
-      const Sides after = sides(result.end, {end, end});
+      Balls there = result.end;
+      if (result.at_joint) there[1] = there[1] * kelvin;
+      const Sides after = sides(there, {end, end});
+      result.seen = seen;
       result.decided = std::find(after.begin(), after.end(), 0) == after.end();
       return result;
     }
@@ -158,11 +196,9 @@ std::optional<Crossing> Walk::crossing(const Ball& end) {
 }
 
 void Walk::apply(const Crossing& crossing, const Ball& end) {
-  if (crossing.at_joint)
-    set_ = MovingSet(crossing.end);
-  else
-    set_.add(crossing.step);
   time_ = end;
+  met_ = crossing.seen;
+  crossing.at_joint ? hold(crossing.end) : set_.add(crossing.step);
   ++crossings;
 }
 
@@ -182,7 +218,10 @@ bool Walk::cross(const Ball& first, const Ball& end) {
       best = trial;
       best_end = to;
     }
-    if (last) break;
+    bool is_watched = false;
+    for (std::size_t k = 0; k < trial->seen.size(); ++k)
+      is_watched = is_watched || (trial->seen[k] == 0 && tank_.surfaces[k].watched);
+    if (last || (is_watched && trial->decided)) break;
     arb_mul_2exp_si(length.get(), length.get(), 1);
   }
   if (!best) return false;
@@ -200,10 +239,8 @@ Balls Walk::values() {
   const Balls box = set_.box();
   const Span now{time_, time_};
   Work& w = work(regime(sides(box, now)));  // p and V are the same in all
-  w.across.run(core(box), now, Mode::across);
-  Balls result{w.across.value(w.law.pressure), w.across.value(w.law.volume)};
-  result.insert(result.begin() + 1, box[1]);
-  result.push_back(box[0]);
+  w.across.run(core(box), now, 0, Mode::across);
+  Balls result{box[1], temperature(), w.across.value(w.wide.volume), box[0]};
   Ball last(1.0);
   for (std::size_t k = 0; k < tank_.species(); ++k) {
     const Ball y = k + 1 < tank_.species() ? box[k + 2] : last;

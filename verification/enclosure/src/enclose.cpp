@@ -7,32 +7,10 @@
 #include <ctime>
 
 #include "bounds.hpp"
-#include "start.hpp"
-#include "walk.hpp"
+#include "sensed_walk.hpp"
 
 namespace enclosure {
 namespace {
-
-/// A time at which a tube has to stop: a requested one, or one at which a function of time changes, between
-/// two ends.
-struct Stop {
-  Ball begin, end;
-  bool requested;
-};
-
-std::vector<Stop> stops(const Tank& tank, const Request& request) {
-  std::vector<Stop> all;
-  for (double t : request.times) all.push_back({Ball(t), Ball(t), true});
-  for (const Ball& t : tank.breaks()) all.push_back({lower(t), upper(t), false});
-  std::stable_sort(all.begin(), all.end(), [](const Stop& a, const Stop& b) {
-    return arf_cmp(arb_midref(a.begin.get()), arb_midref(b.begin.get())) < 0;
-  });
-  return all;
-}
-
-bool before(const Ball& a, const Ball& b) {
-  return arf_cmp(arb_midref(a.get()), arb_midref(b.get())) < 0;
-}
 
 std::vector<std::string> columns(const Scene& s) {
   std::vector<std::string> names{"pressure_Pa", "temperature_K", "volume_m3", "gas_mass_kg"};
@@ -84,7 +62,8 @@ Moment empty_moment(const Tank& tank, double time, std::size_t count) {
   Moment moment{time, std::vector<Bounds>(count, bounds(Ball(0.0)))};
   const Ball at(time);
   Ball volume;
-  tank.volumes[0].series({at, at}, Mode::series, volume.get(), 1);
+  tank.scene.wave ? wave_series(*tank.scene.wave, {at, at}, volume.get(), 1)
+                  : tank.volumes[0].series({at, at}, Mode::series, volume.get(), 1);
   moment.bounds[1] = bounds(Ball(tank.scene.initial_temperature));
   moment.bounds[2] = bounds(volume);
   return moment;
@@ -100,38 +79,35 @@ Tube enclose(const Scene& scene, const Request& request) {
   if (!(request.width >= 1e-25 && request.width < 1.0))
     throw std::invalid_argument("enclosure: the width needs to be from 1e-25 to below 1");
   require_heat_capacity(scene);
-  const Start start = start_of(tank);
-  Walk walk(tank, start.time, start.unknowns, 1e-5 * request.width);
+  SensedWalk course(scene, 1e-5 * request.width);
   Tube tube;
   tube.columns = columns(scene);
   const std::clock_t begin = std::clock();
-  for (const Stop& stop : stops(tank, request)) {
-    if (stop.requested && !before(start.empty_until, stop.begin)) {
-      tube.moments.push_back(empty_moment(tank, stop.begin.middle(), tube.columns.size()));
+  for (double time : request.times) {
+    const Ball end(time);
+    if (!before(course.empty_until(), end)) {
+      tube.moments.push_back(empty_moment(tank, time, tube.columns.size()));
       continue;
     }
-    if (before(Ball(request.times.back()), stop.begin)) break;
-    while (before(walk.time(), stop.begin)) {
-      walk.step(stop.begin);
-      require_range(tank, walk.temperature(), walk.time());
+    while (before(course.walk().time(), end)) {
+      course.step(end);
+      require_range(tank, course.walk().temperature(), course.walk().time());
       if (static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC > request.longest) {
         char text[160];
         std::snprintf(text, sizeof text,
                       "computing takes longer than %.3g s: %ld steps so far, to t = %.4g s of %.4g s",
-                      request.longest, walk.steps, walk.time().middle(), request.times.back());
+                      request.longest, course.steps(), course.walk().time().middle(), request.times.back());
         throw Refusal(text);
       }
     }
-    if (before(walk.time(), stop.end)) walk.cross_to(stop.end);
-    if (!stop.requested) continue;
-    if (before(stop.begin, walk.time()))
+    if (before(end, course.walk().time()))
       throw Refusal("a requested time is too close to a change at an uncertain time");
-    Moment moment{stop.begin.middle(), {}};
-    for (const Ball& value : walk.values()) moment.bounds.push_back(bounds(value));
+    Moment moment{time, {}};
+    for (const Ball& value : course.walk().values()) moment.bounds.push_back(bounds(value));
     tube.moments.push_back(moment);
   }
-  tube.steps = walk.steps;
-  tube.crossings = walk.crossings;
+  tube.steps = course.steps();
+  tube.crossings = course.crossings();
   return tube;
 }
 

@@ -11,7 +11,7 @@ struct Law::Gas {
   std::vector<Term> fractions;   // [-] of all species
   Term gas_constant, cp, gamma;  // [J/(kg K)], [J/(kg K)], [-]
   Term pressure, overpressure;   // [Pa]
-  Term density, growth;          // [kg/m3], dV/dt [m3/s]
+  Term density, space, growth;   // [kg/m3], V [m3], dV/dt [m3/s]
   Term energy;                   // [J/kg]
   bool high;                     // above 1000 K
 };
@@ -47,11 +47,13 @@ Term Law::curve(const Curve& curve, Term y, const Regime& regime) {
   return (y - Ball(a.at)) * ((Ball(b.value) - Ball(a.value)) / (Ball(b.at) - Ball(a.at))) + Ball(a.value);
 }
 
-/// (G.22) with the overpressure y > 0, as s^(3/2), s = y/sqrt(y^2 + d^2).
+/// (G.22) with the overpressure y > 0, as s^(3/2), s = y/sqrt(y^2 + d^2) = 1/sqrt(1 + (d/y)^2). The last form
+/// has y but once: beyond the laminar range it is next to constant over a box, where the others are wide.
 Term Law::laminar(Term y) {
-  const Ball d = Ball(tank_.scene.laminar_share) * Ball(tank_.scene.ambient_pressure);
-  if (arb_is_zero(d.get())) return tape_.constant(Ball(1.0));
-  const Term s = y / sqrt(y * y + d * d);
+  const Ball d = Ball(tank_.scene.laminar_share) * Ball(tank_.scene.ambient_pressure), one(1.0);
+  if (arb_is_zero(d.get())) return tape_.constant(one);
+  const Term ratio = wide_ ? y : d / y;
+  const Term s = wide_ ? y / sqrt(y * y + d * d) : one / sqrt(ratio * ratio + one);
   return s * sqrt(s);
 }
 
@@ -81,23 +83,10 @@ Law::Gas Law::gas(const Regime& regime) {
     if (regime[i]) low = &surface;
     if (!regime[i] && !top) top = &surface;
   }
-  const Term mass = tape_.state(0), free_temperature = tape_.state(1);
-  const Term temperature =
-      tank_.constant_cp ? free_temperature
-                        : tape_.within(free_temperature, high ? &joint : nullptr, high ? nullptr : &joint);
+  const Term mass = tape_.state(0), free_pressure = tape_.state(1);
   std::vector<Term> fractions;
   for (std::size_t k = 0; k + 1 < n; ++k) fractions.push_back(tape_.state(static_cast<int>(k) + 2));
   fractions.push_back(n == 1 ? tape_.constant(Ball(1.0)) : Ball(1.0) - total(fractions));
-  const auto energy_per_kg = [&](bool upper_range, Term t) {
-    std::vector<Term> terms;
-    for (std::size_t k = 0; k < n; ++k) {
-      std::vector<double> pure(n, 0.0);
-      pure[k] = 1.0;
-      terms.push_back(fractions[k] * horner(tank_.internal_energy(pure, upper_range), t));
-    }
-    return total(terms);
-  };
-  const Term u = energy_per_kg(high, temperature);
   const auto mixture = [&](std::size_t power) {  // of cp; power 0: of R
     std::vector<Term> terms;
     for (std::size_t k = 0; k < n; ++k) {
@@ -107,10 +96,6 @@ Law::Gas Law::gas(const Regime& regime) {
     }
     return total(terms);
   };
-  const Term r = mixture(0);
-  Term cp = mixture(tank_.constant_cp ? 1 : 5);
-  if (!tank_.constant_cp)
-    for (std::size_t power = 4; power > 0; --power) cp = cp * temperature + mixture(power);
   const auto volume_series = [this](slong order) -> TimeSeries {  // V or, with order 1, dV/dt
     return [this, order](const Span& span, Mode mode, arb_ptr c, slong count) {
       const arb_ptr v = _arb_vec_init(count + order);
@@ -121,10 +106,24 @@ Law::Gas Law::gas(const Regime& regime) {
       _arb_vec_clear(v, count + order);
     };
   };
-  const Term space = tape_.time(volume_series(0));
-  const Term growth = tape_.time(volume_series(1));
-  const Term free_pressure = mass * (r * free_temperature) / space;
-  pressure = free_pressure.id;
+  const Term space = tape_.time(volume_series(0)), growth = tape_.time(volume_series(1));
+  const Term r = mixture(0), free_temperature = free_pressure * space / (mass * r);
+  const Term temperature =
+      tank_.constant_cp ? free_temperature
+                        : tape_.within(free_temperature, high ? &joint : nullptr, high ? nullptr : &joint);
+  const auto energy_per_kg = [&](bool upper_range, Term t) {
+    std::vector<Term> terms;
+    for (std::size_t k = 0; k < n; ++k) {
+      std::vector<double> pure(n, 0.0);
+      pure[k] = 1.0;
+      terms.push_back(fractions[k] * horner(tank_.internal_energy(pure, upper_range), t));
+    }
+    return total(terms);
+  };
+  const Term u = energy_per_kg(high, temperature);
+  Term cp = mixture(tank_.constant_cp ? 1 : 5);
+  if (!tank_.constant_cp)
+    for (std::size_t power = 4; power > 0; --power) cp = cp * temperature + mixture(power);
   volume = space.id;
   const Term y = tape_.within(free_pressure - Ball(s.ambient_pressure), low ? &low->offset : nullptr,
                               top ? &top->offset : nullptr);
@@ -142,7 +141,7 @@ Law::Gas Law::gas(const Regime& regime) {
       surfaces.push_back((free_pressure * ratio - Ball(s.ambient_pressure)).id);
     }
   }
-  return {mass, temperature, fractions, r, cp, gamma, p, y, mass / space, growth, u, high};
+  return {mass, temperature, fractions, r, cp, gamma, p, y, mass / space, space, growth, u, high};
 }
 
 void Law::flows(const Gas& g, const Regime& regime) {
@@ -199,33 +198,44 @@ void Law::flows(const Gas& g, const Regime& regime) {
 void Law::balances(const Gas& g) {
   const Scene& s = tank_.scene;
   const Term in = total(in_), out = total(out_), back = total(back_);
-  Term heat = tape_.constant(Ball(0.0)), stored = heat;
+  Term heat = tape_.constant(Ball(0.0)), stored = heat, constants = heat;  // of what flows in
   std::vector<Term> shares(tank_.species() - 1, heat);
   const auto enters = [&](Term flow, Term enthalpy, const std::vector<double>& fractions) {
     const Term u = horner(tank_.internal_energy(fractions, g.high), g.temperature);
     heat = heat + flow * (enthalpy - u);
     stored = stored + flow * enthalpy;
+    Ball r;
+    for (std::size_t k = 0; k < tank_.species(); ++k) r = r + Ball(fractions[k]) * tank_.gas_constants[k];
+    constants = constants + flow * r;
     for (std::size_t k = 0; k + 1 < tank_.species(); ++k)
       shares[k] = shares[k] + flow * (Ball(fractions[k]) - g.fractions[k]);
   };
   for (std::size_t i = 0; i < in_.size(); ++i) enters(in_[i], enthalpy_in_[i], s.inflators[i].mass_fractions);
   if (tank_.has_backflow) enters(back, tape_.constant(tank_.ambient.enthalpy), s.ambient_fractions);
-  const Term rt = g.gas_constant * g.temperature;
-  Term other = g.pressure * g.growth;
+  const Term rt = g.gas_constant * g.temperature, work = g.pressure * g.growth;
+  Term other = work;
   if (s.wall_conductance > 0.0)
     other = other + (g.temperature - Ball(s.outside_temperature)) * Ball(s.wall_conductance);
   rates.push_back((in + back - out).id);
-  rates.push_back(((heat - out * rt - other) / (g.mass * (g.cp - g.gas_constant))).id);
-  for (const Term& share : shares) rates.push_back((share / g.mass).id);
+  const Term lost = out * rt, share = g.gas_constant / (g.cp - g.gas_constant);
+  rates.push_back(((constants * g.temperature - lost - work + share * (heat - lost - other)) / g.space).id);
+  for (const Term& change : shares) rates.push_back((change / g.mass).id);
   for (const Term& flow : in_) streams.push_back(flow.id);
   for (const Term& flow : out_) streams.push_back(flow.id);
   for (std::size_t i = 0; i < back_.size(); ++i)
     if (s.holes[i].backflow) streams.push_back(back_[i].id);
-  energy = (g.mass * g.energy).id;
   energy_rate = (stored - out * (g.energy + rt) - other).id;
 }
 
-Law::Law(const Tank& tank, const Regime& regime) : tank_(tank) {
+std::vector<int> Law::outputs() const {
+  std::vector<int> all = streams;
+  all.insert(all.end(), surfaces.begin(), surfaces.end());
+  all.push_back(volume);
+  if (wide_) all.push_back(energy_rate);
+  return all;
+}
+
+Law::Law(const Tank& tank, const Regime& regime, bool wide) : tank_(tank), wide_(wide) {
   const Gas inside = gas(regime);
   flows(inside, regime);
   balances(inside);

@@ -6,23 +6,27 @@
 
 namespace enclosure {
 
-/// (G.8) to (G.11) in the unknowns mass, temperature and mass fractions of all species but the last, in which
-/// outflow does not change the fractions. With the mass m, temperature T and mixture's cv, R:
+/// (G.8) to (G.11) in the unknowns mass, pressure and mass fractions of all species but the last, in which
+/// outflow does not change the fractions. With the mass m, temperature T = p V/(m R) and mixture's cv, R:
 ///   m' = sum w_i + b - o,  Y_k' = (sum w_i (Y_ik - Y_k) + b (Y_ak - Y_k))/m,
 ///   m cv T' = sum w_i (h_i - sum Y_ik u_k(T)) + b (h_a - sum Y_ak u_k(T)) - o R T - p V' - h A (T - T_ext),
-/// w_i inflows, b backflow, o outflow: (G.10) less (G.9) times u_k.
+///   V p' = (sum w_i R_i + b R_a - o R) T + R/cv (m cv T') - p V',
+/// w_i inflows, b backflow, o outflow: (G.10) less (G.9) times u_k. The pressure is an unknown because flows
+/// near ambient pressure depend on a small difference: of an m and a T that move, its range would be wide.
 class Law {
  public:
-  Law(const Tank& tank, const Regime& regime);
+  /// `wide`: with factors that are finite over boxes that reach p_a, but move more with p within one.
+  Law(const Tank& tank, const Regime& regime, bool wide);
   Law(const Law&) = delete;
   Law& operator=(const Law&) = delete;
 
   const Tape& tape() const { return tape_; }
-  std::vector<int> rates;     // of each unknown
-  std::vector<int> streams;   // [kg/s] of inflators, then holes and fabrics (out), then holes (back)
-  std::vector<int> surfaces;  // what is positive above each surface
-  int pressure = 0, volume = 0, energy = 0;  // [Pa], [m3], [J] internal
-  int energy_rate = 0;                       // [W] dU/dt
+  /// What is asked for besides the rates.
+  std::vector<int> outputs() const;
+  std::vector<int> rates;           // of each unknown
+  std::vector<int> streams;         // [kg/s] of inflators, then holes and fabrics (out), then holes (back)
+  std::vector<int> surfaces;        // what is positive above each surface
+  int volume = 0, energy_rate = 0;  // [m3], [W] of the internal energy
 
  private:
   struct Gas;
@@ -37,6 +41,7 @@ class Law {
   bool above(const Regime& regime, double offset) const;
 
   const Tank& tank_;
+  const bool wide_;
   Tape tape_;
   std::vector<Term> in_, enthalpy_in_, out_, back_;
 };

@@ -111,6 +111,16 @@ Balls MovingSet::box() const {
   return x;
 }
 
+Ball MovingSet::deviation(const Balls& slopes) const {
+  Ball sum;
+  for (std::size_t j = 0; j < spread_.size(); ++j) {
+    Ball along;
+    for (std::size_t i = 0; i < slopes.size(); ++i) along = along + slopes[i] * axes_.at(i, j);
+    sum = sum + along * spread_[j];
+  }
+  return sum;
+}
+
 void MovingSet::advance(const Balls& image, const Matrix& slopes, const std::vector<double>& scale) {
   const Matrix moved = slopes * axes_;
   axes_ = axes_along(moved, spread_, scale);

@@ -30,6 +30,8 @@ class MovingSet {
   const Balls& centre() const { return centre_; }  // exact
   Balls box() const;                               // contains the set
 
+  /// Encloses f(x) - f(centre) of each x in the set, by the mean value theorem with f'(x) of all x in box().
+  Ball deviation(const Balls& slopes) const;
   /// Replaces the set by one that contains f(x) of each x in it. `image` holds f(centre), `slopes` f'(x) of
   /// all x in box(). By the mean value theorem f(x) lies in image + slopes (x - centre). `scale` has the unit
   /// of each component, in which the new axes are orthogonal: it should be such that errors of 1 matter

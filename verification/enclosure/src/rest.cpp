@@ -29,7 +29,10 @@ bool Walk::is_fed(const Ball& end) const {
 /// `inflow` encloses that. If the end is within what was assumed for the factors, it holds (Peano's theorem,
 /// as in `crossing`, with the mass for time). None: not proved.
 std::optional<Balls> Walk::lifted(const Balls& box, bool high, Ball& inflow) {
-  Balls guess = core(box), energy = tank_.internal_energy(tank_.scene.ambient_fractions, high);
+  const Span now{time_, time_};
+  Balls begin = core(box), energy = tank_.internal_energy(tank_.scene.ambient_fractions, high);
+  begin[1] = temperature();
+  Balls guess = begin;
   for (std::size_t i = 0; i < guess.size(); ++i)
     guess[i] = wider(guess[i], 0.01 * (i < 2 ? guess[i].middle() : 1.0));
   const Ball &m = guess[0], &t = guess[1];
@@ -47,19 +50,19 @@ std::optional<Balls> Walk::lifted(const Balls& box, bool high, Ball& inflow) {
   }
   const Ball heat = tank_.ambient.enthalpy - polynomial(energy, t);
   const Ball rise = tank_.ambient.gas_constant * t + r / cv * heat;
-  const Balls now = values();
-  const Ball lack = Ball(tank_.scene.ambient_pressure) - lower(now[0]);
+  const Ball outside(tank_.scene.ambient_pressure), lack = outside - lower(box[1]);
   const Ball above = t - Ball(joint_temperature);
   if (!tank_.constant_cp && !(high ? above : Ball(0.0) - above).is_positive()) return {};
   if (!rise.is_positive() || !cv.is_positive()) return {};
-  inflow = hull(Ball(0.0), now[2] * lack / rise);
-  Balls end = core(box);
+  inflow = hull(Ball(0.0), volume(now) * lack / rise);
+  Balls end = begin;
   end[0] = end[0] + inflow;
   end[1] = end[1] + inflow * heat / (m * cv);
   for (std::size_t k = 0; k + 1 < tank_.species(); ++k)
     end[k + 2] = end[k + 2] + inflow * (Ball(tank_.scene.ambient_fractions[k]) - guess[k + 2]) / m;
   for (std::size_t i = 0; i < end.size(); ++i)
     if (!guess[i].contains(end[i])) return {};
+  end[1] = hull(box[1], outside);
   return end;
 }
 
@@ -75,7 +78,7 @@ bool Walk::rest(const Sides& now, const Ball& end) {
     high = high && now[i] > 0;
   }
   if (is_fed(end) || tank_.scene.ambient_pressure == 0.0) return false;
-  const Ball q = Ball(tank_.scene.ambient_pressure) / values()[0], left = hull(Ball(0.0), Ball(1.0) - q);
+  const Ball q = Ball(tank_.scene.ambient_pressure) / set_.box()[1], left = hull(Ball(0.0), Ball(1.0) - q);
   if (!(q.radius() <= 1e3 * tolerance_)) return false;
   Balls box = set_.box();
   const Ball mass = box[0];
@@ -86,7 +89,7 @@ bool Walk::rest(const Sides& now, const Ball& end) {
   box[1] = box[1] * q;
   for (std::size_t i = 0; i < unknowns_; ++i) box[i] = hull(box[i], (*below)[i]);
   // The gas stays in one range of its law.
-  const Ball above = box[1] - Ball(joint_temperature);
+  const Ball above = box[1] / pressure_of_kelvin(box, {time_, time_}) - Ball(joint_temperature);
   if (!tank_.constant_cp && !(high ? above : Ball(0.0) - above).is_positive()) return false;
   const std::size_t in = tank_.inflows.size(), out = tank_.scene.holes.size() + tank_.scene.fabrics.size();
   for (std::size_t j = in; j < streams_; ++j)

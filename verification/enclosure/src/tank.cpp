@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "enclosure/enclose.hpp"
+#include "network.hpp"
 
 namespace enclosure {
 namespace {
@@ -49,10 +50,6 @@ void check_openings(const Scene& s) {
       check_not_negative(*hole.area_of_overpressure, "the area of a hole over pressure", false);
     else
       check_not_negative(hole.area, "the area of a hole", true);
-    if (hole.switching)
-      require(std::adjacent_find(hole.switching->begin(), hole.switching->end(), std::greater_equal<>()) ==
-                  hole.switching->end(),
-              "the times at which a hole switches do not rise");
     if (hole.backflow) check_fractions(s.ambient_fractions, s.species.size(), "the ambient gas");
   }
   for (const Fabric& fabric : s.fabrics) {
@@ -62,7 +59,30 @@ void check_openings(const Scene& s) {
   }
 }
 
+void check_network(const Scene& s) {
+  const auto node_exists = [&](std::size_t i, std::size_t before) {
+    require(i < before, "a node that does not exist, or is not earlier, is named");
+  };
+  for (const Sensor& sensor : s.sensors) {
+    require(std::is_sorted(sensor.switching.begin(), sensor.switching.end(), std::less_equal<>()),
+            "the times at which a sensor switches do not rise");
+    require(!sensor.reset || (sensor.threshold && *sensor.reset < *sensor.threshold),
+            "the reset of a sensor is not below its threshold");
+  }
+  const std::size_t sensors = s.sensors.size(), all = sensors + s.gates.size();
+  for (std::size_t i = 0; i < s.gates.size(); ++i) {
+    require(!s.gates[i].inputs.empty() && s.gates[i].delay >= 0.0,
+            "a gate has no input, or a negative delay");
+    for (std::size_t input : s.gates[i].inputs) node_exists(input, sensors + i);
+  }
+  for (const Inflator& inflator : s.inflators)
+    if (inflator.node) node_exists(*inflator.node, all);
+  for (const Hole& hole : s.holes)
+    if (hole.node) node_exists(*hole.node, all);
+}
+
 void check(const Scene& s) {
+  check_network(s);
   require(!s.species.empty(), "the scene has no species");
   check_fractions(s.initial_fractions, s.species.size(), "the initial gas");
   require(s.initial_pressure >= 0.0, "the initial pressure is negative");
@@ -112,8 +132,17 @@ Balls Tank::internal_energy(const std::vector<double>& fractions, bool high) con
   return c;
 }
 
-Tank::Tank(const Scene& given) : scene(given), maximum_temperature(std::numeric_limits<double>::infinity()) {
+std::optional<double> Tank::watched_level(std::size_t i) const {
+  const Sensor& sensor = scene.sensors[i];
+  if (!sensor.threshold || !sensors_that_act(scene)[i]) return {};
+  return is_on(i) ? sensor.reset : sensor.threshold;
+}
+
+Tank::Tank(const Scene& given, const std::vector<Balls>& switched)
+    : scene(given), events(switched), maximum_temperature(std::numeric_limits<double>::infinity()) {
   check(scene);
+  events.resize(scene.sensors.size());
+  const std::vector<Balls> switching = switching_times(scene, events);
   for (const Species& s : scene.species) {
     gas_constants.push_back(Ball(8.31446261815324) / Ball(s.molar_mass));  // CODATA 2018, exact
     constant_cp = constant_cp && s.constant_cp;
@@ -121,8 +150,11 @@ Tank::Tank(const Scene& given) : scene(given), maximum_temperature(std::numeric_
     maximum_temperature = std::min(maximum_temperature, s.maximum_temperature);
   }
   for (const Inflator& inflator : scene.inflators) {
-    const Piecewise temperature(inflator.temperature, inflator.start, false);
-    inflows.push_back({Piecewise(inflator.mass_flow, inflator.start, true),
+    const bool waits = inflator.node && switching[*inflator.node].empty();
+    const Ball start =
+        later(inflator.node && !waits ? switching[*inflator.node][0] : Ball(0.0), Ball(inflator.start));
+    const Piecewise temperature(inflator.temperature, start, false);
+    inflows.push_back({Piecewise(waits ? Curve{{0.0, 0.0}} : inflator.mass_flow, start, true),
                        temperature.through(enthalpy(inflator.mass_fractions, false),
                                            enthalpy(inflator.mass_fractions, true), joint_temperature)});
   }
@@ -136,17 +168,17 @@ Tank::Tank(const Scene& given) : scene(given), maximum_temperature(std::numeric_
   for (const Hole& hole : scene.holes) {
     const bool of_time = !hole.area_of_overpressure;
     const Curve area = of_time ? hole.area : Curve{{0.0, 1.0}};
-    areas.push_back(hole.switching ? Piecewise::switched(area, *hole.switching)
-                                   : Piecewise(area, 0.0, false));
+    areas.push_back(hole.node ? Piecewise::switched(area, switching[*hole.node])
+                              : Piecewise(area, Ball(0.0), false));
     if (!of_time) add_levels(*hole.area_of_overpressure);
     has_backflow = has_backflow || hole.backflow;
   }
   for (const Fabric& fabric : scene.fabrics) {
-    shares.emplace_back(fabric.share, 0.0, false);
+    shares.emplace_back(fabric.share, Ball(0.0), false);
     if (fabric.velocity) add_levels(*fabric.velocity);
   }
   if (!scene.wave) {
-    volumes.emplace_back(scene.volume, 0.0, false);
+    volumes.emplace_back(scene.volume, Ball(0.0), false);
     volumes.back().bend(scene.bulges);
   }
   if (has_backflow) {
@@ -162,11 +194,18 @@ Tank::Tank(const Scene& given) : scene(given), maximum_temperature(std::numeric_
     const Ball g = ambient.gamma, one(1.0);
     levels.push_back(Ball(pa) * (exp(g / (g - one) * log(Ball(2.0) / (g + one))) - one));
   }
+  const auto watched = [&](const Ball& level) {
+    for (std::size_t i = 0; i < scene.sensors.size(); ++i)
+      if (const auto at = watched_level(i); at && arb_equal(Ball(*at).get(), level.get())) return true;
+    return false;
+  };
+  for (std::size_t i = 0; i < scene.sensors.size(); ++i)
+    if (const auto level = watched_level(i)) levels.emplace_back(*level);
   std::sort(levels.begin(), levels.end(),
             [](const Ball& a, const Ball& b) { return a.middle() < b.middle(); });
   for (const Ball& level : levels)
     if (surfaces.empty() || !arb_equal(surfaces.back().offset.get(), level.get()))
-      surfaces.push_back({Surface::Kind::level, level});
+      surfaces.push_back({Surface::Kind::level, level, watched(level)});
   if (pa > 0.0 && !scene.holes.empty()) surfaces.push_back({Surface::Kind::sonic});
   if (!constant_cp) {
     surfaces.push_back({Surface::Kind::joint});

@@ -14,7 +14,8 @@ inline constexpr double joint_temperature = 1000.0;  // [K]
 /// lower is taken.
 struct Surface {
   enum class Kind { level, sonic, joint, joint_energy } kind;
-  Ball offset{};  // [Pa] level
+  Ball offset{};         // [Pa] level
+  bool watched = false;  // by a sensor that would switch
 };
 
 /// Side of each surface: true above.
@@ -33,7 +34,8 @@ struct InflowFunctions {
 /// Constant data of a tank.
 struct Tank {
   /// Throws std::invalid_argument for a value out of range, Refusal for what has no enclosure.
-  explicit Tank(const Scene& scene);
+  /// `events`: times at which each pressure sensor has switched so far; none: it has not.
+  explicit Tank(const Scene& scene, const std::vector<Balls>& events = {});
 
   std::size_t species() const { return scene.species.size(); }
   /// Powers of T of the enthalpy or the internal energy [J/kg] of a mixture, (G.2) and (G.4); of T = 0 first.
@@ -43,8 +45,12 @@ struct Tank {
   Balls internal_energy(const std::vector<double>& fractions, bool high) const;
   /// Times at which a function of time changes its formula.
   Balls breaks() const;
+  /// Overpressure [Pa] at which a sensor would switch next, and if it is on; none: of none that acts.
+  std::optional<double> watched_level(std::size_t sensor) const;
+  bool is_on(std::size_t sensor) const { return events[sensor].size() % 2 == 1; }
 
   Scene scene;
+  std::vector<Balls> events;
   Balls gas_constants;  // [J/(kg K)] per species
   bool constant_cp = true, has_backflow = false;
   double minimum_temperature = 0.0, maximum_temperature = 0.0;  // [K]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Right-hand sides as lists of operations, and their Taylor coefficients.
+// Right-hand sides as lists of operations.
 #pragma once
 
 #include <functional>
@@ -111,46 +111,5 @@ inline Term exp(Term a) {
 inline Term log(Term a) {
   return a.tape->add(Op::logarithm, a.id);
 }
-
-/// Taylor coefficients in time of every value of a tape along the solution of x_i' = rate_i by the
-/// recurrences of R. E. Moore, "Interval Analysis", 1966, ch. 11 (A. Griewank and A. Walther, "Evaluating
-/// Derivatives", 2nd ed. 2008, table 13.1). Coefficient k encloses y^(k)(t)/k! of every solution y that is in
-/// the balls x at a time t of the span. With partials, those by x_j too, which are the recurrences
-/// differentiated.
-class Series {
- public:
-  /// Coefficients 0 to `order` of the state, with partials by the state or without.
-  Series(const Tape& tape, std::vector<int> rates, slong order, bool partials);
-  Series(const Series&) = delete;
-  Series& operator=(const Series&) = delete;
-  ~Series();
-
-  /// Computes all; across switches only if made without partials and of order 0.
-  void run(const Balls& x, const Span& span, Mode mode = Mode::series);
-
-  Ball value(int id, slong k = 0) const { return read(row(id, 0) + k); }
-  Ball partial(int id, int j, slong k) const { return read(row(id, j + 1) + k); }
-  /// Id of unknown i.
-  int state(std::size_t i) const { return states_[i]; }
-
- private:
-  static Ball read(arb_srcptr x) {
-    Ball ball;
-    arb_set(ball.get(), x);
-    return ball;
-  }
-  arb_ptr row(int id, int j) const { return data_ + (static_cast<slong>(id) * rows_ + j) * (order_ + 1); }
-  void value_coefficient(int id, slong k);
-  void partial_coefficient(int id, int j, slong k);
-
-  const Tape& tape_;
-  const std::vector<int> rates_;
-  const slong order_;
-  const int rows_;  // of a value: itself and its partials
-  Mode mode_ = Mode::series;
-  std::vector<int> states_;
-  arb_ptr data_;
-  std::vector<arb_ptr> weighted_;  // j times the coefficient j that exp and log need
-};
 
 }  // namespace enclosure

@@ -33,16 +33,16 @@ bool less(const Ball& a, const Ball& b) {
 
 }  // namespace
 
-Piecewise::Piecewise(const Curve& curve, double start, bool zero_outside) {
+Piecewise::Piecewise(const Curve& curve, const Ball& start, bool zero_outside) {
   const auto outside = [&](double value) {
     pieces_.push_back({Ball(0.0), {Ball(zero_outside && curve.size() > 1 ? 0.0 : value)}});
   };
-  const auto time = [&](const Knot& knot) { return exact_sum(Ball(start), Ball(knot.at)); };
+  const auto time = [&](const Knot& knot) { return later(start, Ball(knot.at)); };
   outside(curve.front().value);
   if (curve.size() == 1) {
-    if (!zero_outside || start <= 0.0) return;
+    if (!zero_outside || !start.is_positive()) return;
     pieces_.insert(pieces_.begin(), {Ball(0.0), {Ball(0.0)}});  // a constant flow from firing on
-    breaks_.push_back(Ball(start));
+    breaks_.push_back(start);
     return;
   }
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
@@ -56,7 +56,7 @@ Piecewise::Piecewise(const Curve& curve, double start, bool zero_outside) {
   outside(curve.back().value);
 }
 
-Piecewise Piecewise::switched(const Curve& curve, const std::vector<double>& times) {
+Piecewise Piecewise::switched(const Curve& curve, const Balls& times) {
   Piecewise result;
   const auto add = [&](const Ball& from, const Piece& piece) {
     result.breaks_.push_back(from);
@@ -64,7 +64,7 @@ Piecewise Piecewise::switched(const Curve& curve, const std::vector<double>& tim
   };
   result.pieces_.push_back({Ball(0.0), {Ball(0.0)}});
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const Ball from(times[i]);
+    const Ball& from = times[i];
     if (i % 2 == 1) {
       add(from, result.pieces_[0]);
       continue;
@@ -72,7 +72,7 @@ Piecewise Piecewise::switched(const Curve& curve, const std::vector<double>& tim
     const Piecewise open(curve, times[i], false);
     add(from, open.pieces_[open.piece_after(from)]);
     for (std::size_t k = open.piece_after(from); k < open.breaks_.size(); ++k)
-      if (i + 1 == times.size() || less(open.breaks_[k], Ball(times[i + 1])))
+      if (i + 1 == times.size() || less(open.breaks_[k], times[i + 1]))
         add(open.breaks_[k], open.pieces_[k + 1]);
   }
   return result;

@@ -11,9 +11,9 @@ namespace enclosure {
 class Piecewise {
  public:
   /// A curve that begins at time `start` [s]. Outside its knots it is zero or keeps the nearest value.
-  Piecewise(const Curve& curve, double start, bool zero_outside);
+  Piecewise(const Curve& curve, const Ball& start, bool zero_outside);
   /// A curve that begins anew at each odd time, and is zero before it and from each even one.
-  static Piecewise switched(const Curve& curve, const std::vector<double>& times);
+  static Piecewise switched(const Curve& curve, const Balls& times);
   /// Makes the piece between knots i and i + 1 a parabola whose middle is bulges[i] further than before.
   void bend(const std::vector<double>& bulges);
 

@@ -65,7 +65,6 @@ def test_vent_that_a_sensor_opens(tmp_path):
 def test_refusals_say_why():
     for words, code, said in (
         (["cases/driver_bag.toml"], 2, "has a bag; only tanks are enclosed"),
-        (["cases/tank_triggers.toml"], 2, "depends on a sensor of pressure"),
         (["cases/tank_blowdown.toml", "--width", "1"], 2, "1e-25 to 0.1"),
         (["cases/tank_blowdown.toml", "--times", "1:0:1"], 2, "--times 1:0:1"),
         (["cases/tank_stiff.toml", "--longest", "0.1"], 3, "computing takes longer than 0.1 s"),

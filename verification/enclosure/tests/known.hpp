@@ -100,8 +100,24 @@ inline enclosure::Scene tank(Draw& draw) {
   return s;
 }
 
+/// Numbers of a tank of one gas.
+struct OneGas {
+  explicit OneGas(const enclosure::Scene& s)
+      : r(gas_constant(s.species[0].molar_mass)),
+        gamma(Ball(s.species[0].low[0]) / (Ball(s.species[0].low[0]) - Ball(1.0))),
+        p(s.initial_pressure),
+        t(s.initial_temperature),
+        v(s.volume.empty() ? 0.0 : s.volume[0].value),
+        mass(p * v / (r * t)),
+        cv(r / (gamma - Ball(1.0))) {}
+  Ball r, gamma, p, t, v, mass, cv;
+};
+
 inline enclosure::Tube tube_at(const enclosure::Scene& scene, double time, double width = 1e-10) {
   return enclosure::enclose(scene, {.times = {time}, .width = width});
 }
+
+inline constexpr double width = 1e-10;          // asked for: the tests' exact values are 1e-30 wide
+inline constexpr unsigned draws = 24, few = 3;  // few: of what takes long
 
 }  // namespace test

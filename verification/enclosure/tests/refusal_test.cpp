@@ -49,12 +49,11 @@ TEST(enclosure_refuses, law_with_a_jump) {
   expect_refused<enclosure::Refusal>(s, "jumps");
 }
 
-TEST(enclosure_refuses, evacuated_start_with_heat_loss) {
+TEST(enclosure_refuses, evacuated_start_into_a_vacuum) {
   Draw draw(1);
   Scene s = tank(draw);
-  s.initial_pressure = 0.0;
-  s.wall_conductance = 1.0;
-  expect_refused<enclosure::Refusal>(s, "evacuated start with heat loss");
+  s.initial_pressure = s.ambient_pressure = 0.0;
+  expect_refused<enclosure::Refusal>(s, "evacuated start into a vacuum");
 }
 
 TEST(enclosure_refuses, temperature_out_of_range) {

@@ -20,7 +20,7 @@ Ball range(const Piecewise& f, double begin, double end) {
 
 // A jump from 2 to 5 at 1 s, from 5 to 3 within a second, then 3.
 TEST(time_function, range_and_mean_over_breaks) {
-  const Piecewise f({{0.0, 2.0}, {1.0, 2.0}, {1.0, 5.0}, {2.0, 3.0}}, 0.0, false);
+  const Piecewise f({{0.0, 2.0}, {1.0, 2.0}, {1.0, 5.0}, {2.0, 3.0}}, Ball(0.0), false);
   for (const double v : {2.0, 5.0, 4.0}) EXPECT_TRUE(range(f, 0.5, 1.5).contains(Ball(v))) << v;
   EXPECT_TRUE(range(f, 1.0, 1.0).contains(Ball(5.0)));
   EXPECT_TRUE(range(f, 2.0, 2.0).contains(Ball(3.0)));
@@ -32,7 +32,7 @@ TEST(time_function, range_and_mean_over_breaks) {
 
 // Its slope too: a volume's growth over a knot.
 TEST(time_function, slopes_over_a_knot) {
-  const Piecewise f({{0.0, 1.0}, {1.0, 3.0}, {2.0, 2.0}}, 0.0, false);
+  const Piecewise f({{0.0, 1.0}, {1.0, 3.0}, {2.0, 2.0}}, Ball(0.0), false);
   const arb_ptr c = _arb_vec_init(2);
   f.series({Ball(0.5), Ball(1.5)}, Mode::across, c, 2);
   Ball slope;
@@ -54,7 +54,7 @@ TEST(time_function, curve_that_begins_anew) {
 
 // T rises from 900 to 1200 K and falls back: h = 3 T up to 1000 K, 7 T - 4000 above.
 TEST(time_function, composition_with_two_ranges) {
-  const Piecewise t({{0.0, 900.0}, {1.0, 1200.0}, {2.0, 900.0}}, 0.0, false);
+  const Piecewise t({{0.0, 900.0}, {1.0, 1200.0}, {2.0, 900.0}}, Ball(0.0), false);
   const Piecewise h = t.through({Ball(0.0), Ball(3.0)}, {Ball(-4000.0), Ball(7.0)}, 1000.0);
   for (const double time : {0.0, 0.1, 0.3, 0.4, 0.9, 1.0, 1.3, 1.6, 1.7, 1.9, 2.0, 3.0}) {
     const double temperature = time < 2.0 ? 1200.0 - 300.0 * std::abs(time - 1.0) : 900.0;

@@ -25,6 +25,7 @@ TUBES = {
     # but for terms of fourth order (G.17); seen: up to 5e-11, of the flap's small flow.
     "piston_leak": (0.1, 1e-12, 2e-10),
     "two_gas_fill": (0.05, 1e-12, LIMIT),
+    "tank_triggers": (0.1, 1e-12, LIMIT),
 }
 
 

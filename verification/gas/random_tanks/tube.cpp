@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
-#include "libgas_route.hpp"
 #include "plain_gas.hpp"
 #include "plain_network.hpp"
 
@@ -44,31 +45,37 @@ enclosure::Curve short_curve_of(const Table& table) {
   return curve;
 }
 
-/// Of a node on which an inflow or a hole depends.
-bool watches_pressure(const Tank& tank) {
-  std::vector<bool> of_pressure;
-  for (const SensorPlan& sensor : tank.sensors) of_pressure.push_back(sensor.kind == Watch::pressure);
-  for (const GatePlan& gate : tank.gates)
-    of_pressure.push_back(std::ranges::any_of(gate.inputs, [&](std::size_t i) { return of_pressure[i]; }));
-  const auto waits = [&](const auto& part) { return part.node && of_pressure[*part.node]; };
-  return std::ranges::any_of(tank.pulses, waits) || std::ranges::any_of(tank.holes, waits);
-}
-
-/// Times [s] at which a node that no pressure reaches comes on, goes off, comes on and so on.
-std::vector<double> switching_times(const Tank& tank, Node node) {
+/// Of time and signal: as the second route finds them.
+std::vector<double> switching_times(const Tank& tank, std::size_t sensor) {
   PlainNetwork network(tank);
   std::vector<double> times;
   for (double t = 0.0; t <= tank.times.back(); t = network.next_break(t)) {
     network.update(t, 0.0);
-    if (network.is_on(node) != (times.size() % 2 == 1)) times.push_back(t);
+    if (network.is_on(sensor) != (times.size() % 2 == 1)) times.push_back(t);
   }
   return times;
+}
+
+void add_network(const Tank& tank, enclosure::Scene& s) {
+  for (std::size_t i = 0; i < tank.sensors.size(); ++i) {
+    const SensorPlan& plan = tank.sensors[i];
+    if (plan.kind == Watch::pressure)
+      s.sensors.push_back({{}, plan.threshold, plan.reset});
+    else
+      s.sensors.push_back({switching_times(tank, i)});
+  }
+  using Logic = enclosure::Gate::Logic;
+  for (const GatePlan& plan : tank.gates)
+    s.gates.push_back({plan.logic == Join::all   ? Logic::all
+                       : plan.logic == Join::any ? Logic::any
+                                                 : Logic::negated,
+                       plan.inputs, plan.delay, plan.latch});
 }
 
 }  // namespace
 
 std::optional<enclosure::Scene> scene_of(const Tank& tank, const std::string& csv) {
-  if (!tank.volume_of_overpressure.empty() || watches_pressure(tank)) return {};
+  if (!tank.volume_of_overpressure.empty()) return {};
   enclosure::Scene s;
   const std::vector<PlainSpecies> plain = read_species(tank.gases, csv);
   for (std::size_t k = 0; k < tank.gases.size(); ++k)
@@ -87,16 +94,12 @@ std::optional<enclosure::Scene> scene_of(const Tank& tank, const std::string& cs
   }
   for (const Pulse& p : tank.pulses) {
     s.inflators.push_back({p.fractions, curve_of(p.mass_flow), curve_of(p.temperature), p.start});
-    if (!p.node) continue;
-    const std::vector<double> times = switching_times(tank, p.node);
-    if (times.empty())
-      s.inflators.back().mass_flow = {{0.0, 0.0}};
-    else
-      s.inflators.back().start += times.front();
+    s.inflators.back().node = p.node;
   }
+  add_network(tank, s);
   for (const Hole& h : tank.holes) {
     s.holes.push_back({h.discharge_coefficient, {{0.0, h.area}}, {}, h.backflow});
-    if (h.node) s.holes.back().switching = switching_times(tank, h.node);
+    s.holes.back().node = h.node;
     if (!h.area_of_time.empty()) s.holes.back().area = curve_of(h.area_of_time);
     if (!h.area_of_overpressure.empty())
       s.holes.back().area_of_overpressure = curve_of(h.area_of_overpressure);
@@ -111,24 +114,64 @@ std::optional<enclosure::Scene> scene_of(const Tank& tank, const std::string& cs
   return s;
 }
 
+std::vector<Proved> proved(const enclosure::Tube& tube) {
+  std::vector<Proved> all;
+  for (const enclosure::Moment& moment : tube.moments) {
+    Proved row{moment.time, {}, {}};
+    for (const std::size_t i : {0U, 1U, 2U}) {
+      const enclosure::Bounds& b = moment.bounds[i < 2 ? i : 3];
+      row.lower[i] = b.lower;
+      row.upper[i] = b.upper;
+    }
+    all.push_back(row);
+  }
+  return all;
+}
+
+double distance(const Computed& run, const std::vector<Proved>& bounds) {
+  double largest = 0.0;
+  for (const Proved& b : bounds) {
+    const auto mine = std::ranges::find_if(run.samples, [&](const Sample& s) { return s.time == b.time; });
+    if (mine == run.samples.end()) return kInfinity;
+    const std::array<double, 3> values{mine->pressure, mine->temperature, mine->mass};
+    for (std::size_t i = 0; i < 3; ++i)
+      largest = std::max(largest, std::max({b.lower[i] - values[i], values[i] - b.upper[i], 0.0}) /
+                                      std::max(b.upper[i], 1e-300));
+  }
+  return largest;
+}
+
 double distance_to_tube(const Tank& tank, const enclosure::Scene& scene, double width, double longest) {
   const enclosure::Tube tube =
       enclosure::enclose(scene, {.times = tank.times, .width = width, .longest = longest});
   const Computed run = libgas_route(tank);
-  if (!run.refusal.empty()) return std::nan("");
-  double largest = 0.0;
-  for (std::size_t i = 0; i < run.samples.size(); ++i) {
-    const Sample& mine = run.samples[i];
-    const auto far = [&](double value, std::size_t column) {
-      const enclosure::Bounds& b = tube.moments[i].bounds[column];
-      largest =
-          std::max(largest, std::max({b.lower - value, value - b.upper, 0.0}) / std::max(b.upper, 1e-300));
-    };
-    far(mine.pressure, 0);
-    far(mine.temperature, 1);
-    far(mine.mass, 3);
+  return run.refusal.empty() ? distance(run, proved(tube)) : std::nan("");
+}
+
+ShippedTube compute_shipped(const Tank& tank, const enclosure::Scene& scene, double longest) {
+  std::vector<double> times{tank.times[tank.times.size() / 2], tank.times.back()};
+  if (tank.times.size() == 2) times.erase(times.begin());
+  const enclosure::Tube tube =
+      enclosure::enclose(scene, {.times = times, .width = kShippedWidth, .longest = longest});
+  return {tube.steps + tube.crossings, proved(tube)};
+}
+
+std::map<std::uint64_t, ShippedTube> read_shipped(const std::string& csv) {
+  std::ifstream in(csv);
+  std::map<std::uint64_t, ShippedTube> all;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#' || line[0] == 's') continue;
+    std::ranges::replace(line, ',', ' ');
+    std::istringstream words(line);
+    std::uint64_t seed = 0;
+    long steps = 0;
+    Proved row{};
+    words >> seed >> steps >> row.time;
+    for (std::size_t i = 0; i < 3; ++i) words >> row.lower[i] >> row.upper[i];
+    all[seed].steps = steps;
+    all[seed].bounds.push_back(row);
   }
-  return largest;
+  return all;
 }
 
 }  // namespace random_tanks

@@ -31,13 +31,29 @@ struct Knot {
 /// jump; curves over the overpressure have none.
 using Curve = std::vector<Knot>;
 
+/// A node that is on from time to time, or depends on the pressure.
+struct Sensor {
+  std::vector<double> switching{};    // [s] at which it comes on, goes off, comes on and so on, rising
+  std::optional<double> threshold{};  // [Pa] in place of `switching`: overpressure from which it is on
+  std::optional<double> reset{};      // [Pa] < threshold: below it goes off; none: it stays on
+};
+
+/// A node that combines earlier ones: on once its condition has held for the delay.
+struct Gate {
+  enum class Logic { all, any, negated } logic;
+  std::vector<std::size_t> inputs;  // sensors, then earlier gates; `negated`: one
+  double delay = 0.0;               // [s] >= 0
+  bool latch = false;               // counts the delay from when the condition first held, then stays on
+};
+
 /// Inflow of one inflator. The mass flow is zero outside its knots unless it is constant; the temperature is
 /// held.
 struct Inflator {
   std::vector<double> mass_fractions;  // [-] one per species
   Curve mass_flow;                     // [kg/s] against the time since `start`
   Curve temperature;                   // [K] likewise
-  double start = 0.0;                  // [s]
+  double start = 0.0;                  // [s]; with a node after its first coming on
+  std::optional<std::size_t> node{};   // sensor, or gate after all sensors
 };
 
 /// A hole, (G.6).
@@ -46,9 +62,8 @@ struct Hole {
   Curve area;                                   // [m2] against time; held outside its knots
   std::optional<Curve> area_of_overpressure{};  // [m2] in place of `area`; held outside its knots
   bool backflow = false;                        // ambient gas flows in below ambient pressure
-  /// [s] at which it opens, closes, opens and so on, rising; `area` then counts from each opening. None:
-  /// open.
-  std::optional<std::vector<double>> switching{};
+  /// Open while this is on; `area` then counts from each opening. None: open.
+  std::optional<std::size_t> node{};
 };
 
 /// Porous fabric: (G.7) with its coefficient, or (G.12) with its area and a table of velocities.
@@ -78,6 +93,8 @@ struct Scene {
   std::vector<Inflator> inflators;
   std::vector<Hole> holes;
   std::vector<Fabric> fabrics;
+  std::vector<Sensor> sensors;
+  std::vector<Gate> gates;
   double wall_conductance = 0.0;     // [W/K] h A of (G.11)
   double outside_temperature = 300;  // [K]
   /// [-] d/p_a of (G.22). 0: the literal laws, which have a corner at ambient pressure.

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Evacuated tanks and pressure sensors with known solutions.
+#include "known.hpp"
+
+namespace {
+
+using namespace test;
+using enclosure::Scene;
+using enclosure::Tube;
+
+// An evacuated tank fills at g T_in.
+TEST(enclosure, contains_evacuated_fill) {
+  for (unsigned seed = 1; seed <= few; ++seed) {
+    Draw draw(seed);
+    Scene s = tank(draw);
+    s.initial_pressure = 0.0;
+    const double flow = draw(0.1, 1.0), t_in = draw(300.0, 1000.0), time = draw(1e-3, 2e-3);
+    s.inflators = {
+        {.mass_fractions = {1.0}, .mass_flow = {{0.0, 0.0}, {0.01, flow}}, .temperature = {{0.0, t_in}}}};
+    const OneGas g(s);
+    const Tube tube = tube_at(s, time, width);
+    expect_contains(tube, "temperature_K", g.gamma * Ball(t_in), width);
+    expect_contains(tube, "gas_mass_kg", Ball(flow) * Ball(time) * Ball(time) / Ball(0.02), width);
+  }
+}
+
+// A constant flow lifts p by (gamma - 1) w cp T_in/V t; at a threshold, and a delay later, a second one sets
+// in.
+TEST(enclosure, contains_fill_that_a_pressure_sensor_doubles) {
+  for (unsigned seed = 1; seed <= few; ++seed) {
+    Draw draw(seed);
+    Scene s = tank(draw);
+    const OneGas g(s);
+    const double flow = draw(0.1, 1.0), second = draw(0.1, 1.0), t_in = draw(300.0, 1000.0), end = 0.05,
+                 delay = seed % 2 ? 0.0 : 0.005;
+    for (const double w : {flow, second})
+      s.inflators.push_back({.mass_fractions = {1.0}, .mass_flow = {{0.0, w}}, .temperature = {{0.0, t_in}}});
+    const Ball rise = g.gamma * g.r * Ball(t_in) * Ball(flow) / g.v;
+    const double level = s.initial_pressure - s.ambient_pressure + 0.02 * rise.middle();
+    s.sensors = {{.threshold = level, .reset = level - 1.0}};
+    s.gates = {{.logic = enclosure::Gate::Logic::all, .inputs = {0}, .delay = delay}};
+    s.inflators[1].node = 1;
+    const Ball fires =
+        (Ball(level) + Ball(s.ambient_pressure) - Ball(s.initial_pressure)) / rise + Ball(delay);
+    const Ball in = Ball(second) * (Ball(end) - fires);
+    const Tube tube = tube_at(s, end, width);
+    expect_contains(tube, "inflator_1_in_kg", in, 100.0 * width);
+    expect_contains(tube, "gas_mass_kg", g.mass + Ball(flow) * Ball(end) + in, width);
+  }
+}
+
+// With walls a constant flow fills it at (w cp T_in + h A T_ext)/(w cv + h A).
+TEST(enclosure, contains_evacuated_fill_with_walls) {
+  for (unsigned seed = 1; seed <= few; ++seed) {
+    Draw draw(seed);
+    Scene s = tank(draw);
+    s.initial_pressure = 0.0;
+    const double flow = draw(0.1, 1.0), t_in = draw(300.0, 1000.0);
+    s.inflators = {{.mass_fractions = {1.0}, .mass_flow = {{0.0, flow}}, .temperature = {{0.0, t_in}}}};
+    s.wall_conductance = draw(10.0, 1000.0);
+    const OneGas g(s);
+    const Ball cv = gas_constant(s.species[0].molar_mass) / (g.gamma - Ball(1.0)), walls(s.wall_conductance);
+    const Ball t = (Ball(flow) * g.gamma * cv * Ball(t_in) + walls * Ball(s.outside_temperature)) /
+                   (Ball(flow) * cv + walls);
+    expect_contains(tube_at(s, 1e-3, width), "temperature_K", t, width);
+  }
+}
+
+// Ambient gas fills it at gamma T_a, with a choked flow at first.
+TEST(enclosure, contains_evacuated_backflow) {
+  for (unsigned seed = 1; seed <= few; ++seed) {
+    Draw draw(seed);
+    Scene s = tank(draw);
+    s.initial_pressure = 0.0;
+    s.ambient_fractions = {1.0};
+    s.holes = {{.area = {{0.0, 1e-4}}, .backflow = true}};
+    const OneGas g(s);
+    const Ball r = gas_constant(s.species[0].molar_mass), ta(s.ambient_temperature), one(1.0);
+    const Ball flow = Ball(1e-4) * Ball(s.ambient_pressure) * sqrt(g.gamma / (r * ta)) *
+                      pow(Ball(2.0) / (g.gamma + one), (g.gamma + one) / (Ball(2.0) * (g.gamma - one)));
+    const Tube tube = tube_at(s, 1e-3, width);
+    expect_contains(tube, "temperature_K", g.gamma * ta, width);
+    expect_contains(tube, "vent_0_backflow_kg", flow * Ball(1e-3), width);
+  }
+}
+
+}  // namespace
