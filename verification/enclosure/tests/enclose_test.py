@@ -10,7 +10,7 @@ from tubes import read
 
 
 def test_bounds_computed_anew_meet_shipped_ones():
-    for name in ("rigid_tank", "tank_blowdown"):
+    for name in tubes.TUBES:
         tubes.expect_shipped(GASJET, name)
 
 
