@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evacuated tanks and pressure sensors with known solutions.
 #include "known.hpp"
+#include "start.hpp"
 
 namespace {
 
@@ -12,6 +13,7 @@ using enclosure::Tube;
 TEST(enclosure, contains_evacuated_fill) {
   for (unsigned seed = 1; seed <= few; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     s.initial_pressure = 0.0;
     const double flow = draw(0.1, 1.0), t_in = draw(300.0, 1000.0), time = draw(1e-3, 2e-3);
@@ -24,11 +26,30 @@ TEST(enclosure, contains_evacuated_fill) {
   }
 }
 
+// Flow and temperature of what flows in rise with time, w = a t and T_in = T_0 + k t: T = g (T_0 + 2/3 k t).
+TEST(enclosure, start_of_an_evacuated_tank_holds_gas_that_warms) {
+  for (unsigned seed = 1; seed <= draws; ++seed) {
+    Draw draw(seed);
+    Scene s = tank(draw);
+    s.initial_pressure = 0.0;
+    const double t_in = draw(300.0, 1000.0), warmer = draw(1100.0, 2000.0);
+    s.inflators = {{.mass_fractions = {1.0},
+                    .mass_flow = {{0.0, 0.0}, {1.0, draw(0.1, 1.0)}},
+                    .temperature = {{0.0, t_in}, {1.0, warmer}}}};
+    const enclosure::Start start = enclosure::start_of(enclosure::Tank(s));
+    const Ball share = Ball(2.0) / Ball(3.0) * start.time;
+    EXPECT_TRUE(
+        start.unknowns[1].contains(OneGas(s).gamma * (Ball(t_in) + (Ball(warmer) - Ball(t_in)) * share)));
+    EXPECT_LE(start.unknowns[1].radius(), 1e-6 * t_in);
+  }
+}
+
 // A constant flow lifts p by (gamma - 1) w cp T_in/V t; at a threshold, and a delay later, a second one sets
 // in.
 TEST(enclosure, contains_fill_that_a_pressure_sensor_doubles) {
   for (unsigned seed = 1; seed <= few; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     const OneGas g(s);
     const double flow = draw(0.1, 1.0), second = draw(0.1, 1.0), t_in = draw(300.0, 1000.0), end = 0.05,
@@ -53,6 +74,7 @@ TEST(enclosure, contains_fill_that_a_pressure_sensor_doubles) {
 TEST(enclosure, contains_evacuated_fill_with_walls) {
   for (unsigned seed = 1; seed <= few; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     s.initial_pressure = 0.0;
     const double flow = draw(0.1, 1.0), t_in = draw(300.0, 1000.0);
@@ -70,6 +92,7 @@ TEST(enclosure, contains_evacuated_fill_with_walls) {
 TEST(enclosure, contains_evacuated_backflow) {
   for (unsigned seed = 1; seed <= few; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     s.initial_pressure = 0.0;
     s.ambient_fractions = {1.0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random tanks whose solutions are elementary. Exact values are balls of 128 bits; bounds have 25 digits, so
 // that an error of 1e-18 in a step is seen.
+#include "bounds.hpp"
 #include "known.hpp"
 
 namespace {
@@ -13,6 +14,7 @@ using enclosure::Tube;
 TEST(enclosure, contains_choked_blowdown) {
   for (unsigned seed = 1; seed <= draws; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     s.ambient_pressure = 0.0;
     const double area = draw(1e-5, 1e-3), cd = draw(0.5, 1.0), time = draw(0.001, 0.05);
@@ -41,6 +43,7 @@ TEST(enclosure, contains_choked_blowdown) {
 TEST(enclosure, contains_two_gas_fill) {
   for (unsigned seed = 1; seed <= draws; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     const OneGas g(s);
     const double cp = draw(2.6, 5.0), molar = draw(0.004, 0.05), flow = draw(0.1, 3.0),
@@ -69,6 +72,7 @@ TEST(enclosure, contains_two_gas_fill) {
 TEST(enclosure, contains_piston) {
   for (unsigned seed = 1; seed <= draws; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     OneGas g(s);
     const double time = seed % 4 == 1 ? 0.06 : draw(0.01, 0.05), v0 = s.volume[0].value,
@@ -104,6 +108,7 @@ TEST(enclosure, contains_piston) {
 TEST(enclosure, contains_heat_loss) {
   for (unsigned seed = 1; seed <= draws; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     s.wall_conductance = draw(1.0, 500.0);
     const OneGas g(s);
@@ -120,6 +125,7 @@ TEST(enclosure, contains_heat_loss) {
 TEST(enclosure, contains_table_of_velocities) {
   for (unsigned seed = 1; seed <= draws; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     s.initial_pressure = draw(1.1e5, 3e5);
     const double slope = draw(1e-5, 1e-4), area = draw(0.01, 0.3), time = draw(0.001, 0.05);
@@ -142,6 +148,7 @@ TEST(enclosure, contains_table_of_velocities) {
 TEST(enclosure, contains_choked_backflow) {
   for (unsigned seed = 1; seed <= draws; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     s.initial_pressure = draw(1e3, 2e4);
     const double area = draw(1e-5, 1e-3);
@@ -182,6 +189,7 @@ struct Emptying {
 TEST(enclosure, contains_emptying_across_the_sonic_switch_to_rest) {
   for (unsigned seed = 1; seed <= few; ++seed) {
     Draw draw(seed);
+    const double width = width_of(seed);
     Scene s = tank(draw);
     s.species = {gas(draw(0.004, 0.05), 3.5)};
     s.initial_pressure = draw(2.5e5, 6e5);
@@ -213,6 +221,7 @@ TEST(enclosure, contains_emptying_across_the_sonic_switch_to_rest) {
 
 // Two ranges that differ at 1000 K, in both directions, passed by hot inflow and by cold one: U is exact.
 TEST(enclosure, contains_the_joint_of_two_ranges) {
+  constexpr double width = 1e-10;
   for (const double jump : {-2e-3, 0.0, 2e-3})
     for (const bool heats : {true, false}) {
       Scene s;
@@ -247,6 +256,19 @@ TEST(enclosure, contains_the_joint_of_two_ranges) {
       EXPECT_FALSE((u(range, t.lower) - total).is_positive()) << jump << heats;
       EXPECT_FALSE((total - u(range, t.upper)).is_positive()) << jump << heats;
       EXPECT_LE((t.upper - t.lower).middle(), width * 1000.0);
+    }
+}
+
+// Thirds and sevenths have no last digit: the text of each end differs from them, outward.
+TEST(enclosure, decimals_are_rounded_outward) {
+  for (const double numerator : {1.0, -1.0, 1e-200, -3e200})
+    for (const double denominator : {3.0, 7.0}) {
+      const Ball exact = Ball(numerator) / Ball(denominator);
+      const enclosure::Bounds b = enclosure::bounds(exact);
+      const Ball below = exact - decimal(b.lower_text), above = decimal(b.upper_text) - exact;
+      EXPECT_TRUE(below.is_positive() && above.is_positive()) << b.lower_text << " " << b.upper_text;
+      EXPECT_LE((below + above).middle(), 1e-23 * std::abs(exact.middle()));
+      EXPECT_FALSE((Ball(b.lower) - exact).is_positive() || (exact - Ball(b.upper)).is_positive());
     }
 }
 
