@@ -28,7 +28,7 @@ set(GASJET_SMALL -Oz)
 # Calls of C++'s own exceptions, vectors of 16 bytes, and instructions that copy memory; libc++ 13 lacks a part of C++20. clang 14's SLP
 # vectoriser writes one part of v = A v before it has read it: free_headform went wrong by it (coupling::detail::Placed::depth).
 if(GASJET_GSL MATCHES "libgsl.a")
-  list(APPEND GASJET_SMALL -finline-functions "SHELL:-mllvm -inline-threshold=50")
+  list(APPEND GASJET_SMALL -finline-functions "SHELL:-mllvm -inline-threshold=25")
   add_compile_options(-fno-pic -fwasm-exceptions -msimd128 -mbulk-memory -fno-slp-vectorize "SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/old_libcxx.hpp")
   add_link_options(-fwasm-exceptions)
 endif()
