@@ -21,7 +21,7 @@ else()
   set(GASJET_GSL gsl gslcblas)
 endif()
 
-# All but the kernels is compiled by these options. emcc's own -Oz inlines nothing: with Eigen's and the library's small functions as
+# What a step calls, but for the kernels, is compiled by these options, and closed forms. emcc's own -Oz inlines nothing: with Eigen's and the library's small functions as
 # calls the program is as large, and a run of the paper's scene takes 1.7 times as long.
 set(GASJET_SMALL -Oz)
 

@@ -59,11 +59,11 @@ void print_csv(const EncloseArguments& a, const enclosure::Tube& tube, double la
 int enclose(const EncloseArguments& a) {
   CaseDocument document(a.scene.file, a.scene.overrides);
   const Scene scene = load_scene(document);
-  enclosure::Scene tank = enclosure_scene(scene);
-  if (a.literal) tank.laminar_share = 0.0;
   enclosure::Request request{parse_times(a.times), a.width, a.longest};
   if (a.times.empty())
     for (int i = 0; i <= 10; ++i) request.times.push_back(scene.time.end * i / 10.0);
+  enclosure::Scene tank = enclosure_scene(scene, std::max(scene.time.end, request.times.back()));
+  if (a.literal) tank.laminar_share = 0.0;
   try {
     const enclosure::Tube tube = enclose_by_module(tank, request);
     print_csv(a, tube, tank.laminar_share);

@@ -29,20 +29,22 @@ enclosure::Species species_of(const gas::Species& s) {
   return result;
 }
 
-enclosure::Sensor sensor_of(const Scene& scene, std::size_t i) {
+enclosure::Sensor sensor_of(const Scene& scene, std::size_t i, double end) {
   const gas::Sensor& sensor = scene.gas->model.triggers.sensors[i];
   if (sensor.kind == gas::SensorKind::pressure) return {{}, sensor.threshold, sensor.reset};
-  const auto times = gas::switching_times(scene.gas->model.triggers, i, scene.time.end);
+  const auto times = gas::switching_times(scene.gas->model.triggers, i, end);
   if (!times)
-    throw CaseError(fmt::format(
-        "sensor.{}: a sensor of contact is not enclosed; allowed: sensors of time, signal and overpressure",
-        i));
+    throw CaseError(
+        fmt::format("sensor.{}: a sensor of contact, or set from outside, is not enclosed; allowed: sensors "
+                    "of time, signal and overpressure",
+                    i));
   return {*times};
 }
 
-void add_network(const Scene& scene, enclosure::Scene& result) {
+void add_network(const Scene& scene, double end, enclosure::Scene& result) {
   const gas::TriggerModel& triggers = scene.gas->model.triggers;
-  for (std::size_t i = 0; i < triggers.sensors.size(); ++i) result.sensors.push_back(sensor_of(scene, i));
+  for (std::size_t i = 0; i < triggers.sensors.size(); ++i)
+    result.sensors.push_back(sensor_of(scene, i, end));
   using Logic = enclosure::Gate::Logic;
   for (const gas::Gate& gate : triggers.gates)
     result.gates.push_back({gate.logic == gas::Logic::all   ? Logic::all
@@ -81,7 +83,7 @@ void add_holes(const Scene& scene, enclosure::Scene& result) {
 
 }  // namespace
 
-enclosure::Scene enclosure_scene(const Scene& scene) {
+enclosure::Scene enclosure_scene(const Scene& scene, double end) {
   if (!scene.has_volume() || scene.bag)
     throw CaseError(fmt::format("{}: has {}; only tanks are enclosed", scene.case_file.string(),
                                 scene.bag ? "a bag" : "no volume of gas"));
@@ -102,7 +104,7 @@ enclosure::Scene enclosure_scene(const Scene& scene) {
     result.volume = knots_of(*gas.tank_volume->table);
   else if (const auto& wave = gas.tank_volume)
     result.wave = enclosure::Wave{wave->mean, wave->amplitude, wave->frequency, wave->phase};
-  add_network(scene, result);
+  add_network(scene, end, result);
   add_inflators(scene, result);
   add_holes(scene, result);
   if (gas.tank_leak_area > 0.0 && model.fabrics.empty()) result.fabrics.push_back({gas.tank_leak_area});

@@ -10,7 +10,8 @@ struct Scene;
 
 namespace driver::commands {
 
-/// Throws CaseError, with the key, for a scene or a part of it that the enclosure does not know.
-enclosure::Scene enclosure_scene(const Scene& scene);
+/// With what sensors of time and signals do until `end` [s]. Throws CaseError, with the key, for a scene or a
+/// part of it that the enclosure does not know.
+enclosure::Scene enclosure_scene(const Scene& scene, double end);
 
 }  // namespace driver::commands

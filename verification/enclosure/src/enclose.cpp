@@ -75,7 +75,7 @@ Tube enclose(const Scene& scene, const Request& request) {
   const Tank tank(scene);
   if (request.times.empty() || !std::is_sorted(request.times.begin(), request.times.end()) ||
       !(request.times.front() >= 0.0) || !std::isfinite(request.times.back()))
-    throw std::invalid_argument("enclosure: the times need to be 0 or later, and to rise");
+    throw std::invalid_argument("enclosure: the times need to be 0 or later, finite, and to rise");
   if (!(request.width >= 1e-25 && request.width < 1.0))
     throw std::invalid_argument("enclosure: the width needs to be from 1e-25 to below 1");
   require_heat_capacity(scene);
@@ -100,8 +100,7 @@ Tube enclose(const Scene& scene, const Request& request) {
         throw Refusal(text);
       }
     }
-    if (before(end, course.walk().time()))
-      throw Refusal("a requested time is too close to a change at an uncertain time");
+    if (before(end, course.walk().time()) || course.is_open()) throw Refusal(too_close(end));
     Moment moment{time, {}};
     for (const Ball& value : course.walk().values()) moment.bounds.push_back(bounds(value));
     tube.moments.push_back(moment);

@@ -204,15 +204,12 @@ void Law::balances(const Gas& g) {
     const Term u = horner(tank_.internal_energy(fractions, g.high), g.temperature);
     heat = heat + flow * (enthalpy - u);
     stored = stored + flow * enthalpy;
-    // The last species is what the others leave, as in the tank: given doubles may not add up to 1 exactly.
-    Ball r, last(1.0);
-    for (std::size_t k = 0; k + 1 < tank_.species(); ++k) {
-      const Ball part(fractions[k]);
-      r = r + part * tank_.gas_constants[k];
-      last = last - part;
-      shares[k] = shares[k] + flow * (part - g.fractions[k]);
-    }
-    constants = constants + flow * (r + last * tank_.gas_constants.back());
+    const Balls y = shares_of(fractions);
+    Ball r;
+    for (std::size_t k = 0; k < tank_.species(); ++k) r = r + y[k] * tank_.gas_constants[k];
+    for (std::size_t k = 0; k + 1 < tank_.species(); ++k)
+      shares[k] = shares[k] + flow * (y[k] - g.fractions[k]);
+    constants = constants + flow * r;
   };
   for (std::size_t i = 0; i < in_.size(); ++i) enters(in_[i], enthalpy_in_[i], s.inflators[i].mass_fractions);
   if (tank_.has_backflow) enters(back, tape_.constant(tank_.ambient.enthalpy), s.ambient_fractions);

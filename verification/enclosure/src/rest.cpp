@@ -59,7 +59,7 @@ std::optional<Balls> Walk::lifted(const Balls& box, bool high, Ball& inflow) {
   end[0] = end[0] + inflow;
   end[1] = end[1] + inflow * heat / (m * cv);
   for (std::size_t k = 0; k + 1 < tank_.species(); ++k)
-    end[k + 2] = end[k + 2] + inflow * (Ball(tank_.scene.ambient_fractions[k]) - guess[k + 2]) / m;
+    end[k + 2] = end[k + 2] + inflow * (shares_of(tank_.scene.ambient_fractions)[k] - guess[k + 2]) / m;
   for (std::size_t i = 0; i < end.size(); ++i)
     if (!guess[i].contains(end[i])) return {};
   end[1] = hull(box[1], outside);

@@ -16,13 +16,10 @@ std::size_t stream_count(const Scene& s) {
   return s.inflators.size() + s.holes.size() + s.fabrics.size() + static_cast<std::size_t>(back);
 }
 
-Ball mean_gas_constant(const Tank& tank, const std::vector<double>& fractions) {
-  Ball r, sum;
-  for (std::size_t k = 0; k < tank.species(); ++k) {
-    r = r + Ball(fractions[k]) * tank.gas_constants[k];
-    sum = sum + Ball(fractions[k]);
-  }
-  return r / sum;
+Ball mean_gas_constant(const Tank& tank, const Balls& shares) {
+  Ball r;
+  for (std::size_t k = 0; k < tank.species(); ++k) r = r + shares[k] * tank.gas_constants[k];
+  return r;
 }
 
 constexpr slong terms = 16;  // of polynomials in time
@@ -156,10 +153,7 @@ Ball Filling::heating(double t, bool high) const {
   for (const Inlet& inlet : inlets_) {
     sum = sum + flow(inlet) * (polynomial(inlet.enthalpy, all_) -
                                polynomial(tank_.internal_energy(*inlet.fractions, high), Ball(t)));
-    Ball r;
-    for (std::size_t k = 0; k < tank_.species(); ++k)
-      r = r + Ball((*inlet.fractions)[k]) * tank_.gas_constants[k];
-    mass = mass + hull(Ball(0.0), flow(inlet)) * r;
+    mass = mass + hull(Ball(0.0), flow(inlet)) * mean_gas_constant(tank_, shares_of(*inlet.fractions));
   }
   return sum - all_ * mass * hull(Ball(0.0), Ball(hottest())) * growth_ / volume_;
 }
@@ -209,8 +203,9 @@ std::optional<Start> Filling::start() const {
     const Ball total = polynomial(integral, length_);
     streams[inlet.stream] = total;
     mass = mass + total;
+    const Balls y = shares_of(*inlet.fractions);
     for (std::size_t k = 0; k < tank_.species(); ++k) {
-      const Ball part = total * Ball((*inlet.fractions)[k]);
+      const Ball part = total * y[k];
       masses[k] = masses[k] + part;
       product = product + part * tank_.gas_constants[k];
     }
@@ -257,8 +252,7 @@ static Start evacuated(const Tank& tank) {
 Start start_of(const Tank& tank) {
   const Scene& s = tank.scene;
   if (s.initial_pressure == 0.0) return evacuated(tank);
-  Ball sum;
-  for (double y : s.initial_fractions) sum = sum + Ball(y);
+  const Balls shares = shares_of(s.initial_fractions);
   Ball volume;
   const Span zero{Ball(0.0), Ball(0.0)};
   s.wave ? wave_series(*s.wave, zero, volume.get(), 1)
@@ -266,11 +260,9 @@ Start start_of(const Tank& tank) {
   const Ball temperature(s.initial_temperature);
   Start start;
   start.empty_until = Ball(-1.0);
-  start.unknowns = {
-      Ball(s.initial_pressure) * volume / (mean_gas_constant(tank, s.initial_fractions) * temperature),
-      temperature};
-  for (std::size_t k = 0; k + 1 < tank.species(); ++k)
-    start.unknowns.push_back(Ball(s.initial_fractions[k]) / sum);
+  start.unknowns = {Ball(s.initial_pressure) * volume / (mean_gas_constant(tank, shares) * temperature),
+                    temperature};
+  for (std::size_t k = 0; k + 1 < tank.species(); ++k) start.unknowns.push_back(shares[k]);
   start.unknowns.resize(start.unknowns.size() + stream_count(s));
   return start;
 }

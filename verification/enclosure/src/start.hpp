@@ -6,7 +6,8 @@
 
 namespace enclosure {
 
-/// First box of a tube: time [s], exact, and unknowns as in Law, then the totals of the streams.
+/// First box of a tube: time [s], exact; mass, temperature, mass fractions but the last, totals of the
+/// streams.
 struct Start {
   Ball time;
   Balls unknowns;

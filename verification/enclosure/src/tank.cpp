@@ -107,8 +107,17 @@ void check(const Scene& s) {
 
 }  // namespace
 
+Balls shares_of(const std::vector<double>& fractions) {
+  Balls result(fractions.begin(), fractions.end());
+  Ball sum;
+  for (const Ball& y : result) sum = sum + y;
+  for (Ball& y : result) y = y / sum;
+  return result;
+}
+
 Balls Tank::enthalpy(const std::vector<double>& fractions, bool high) const {
   Balls c(6);
+  const Balls y = shares_of(fractions);
   const Ball joint(joint_temperature);
   for (std::size_t k = 0; k < species(); ++k) {
     const auto powers = [&](const std::array<double, 6>& a) {
@@ -118,7 +127,7 @@ Balls Tank::enthalpy(const std::vector<double>& fractions, bool high) const {
     };
     const Balls h = powers(high ? scene.species[k].high : scene.species[k].low);
     const Ball zero = polynomial(powers(scene.species[k].low), joint) - joint;
-    const Ball factor = Ball(fractions[k]) * gas_constants[k];
+    const Ball factor = y[k] * gas_constants[k];
     for (std::size_t j = 0; j < 6; ++j) c[j] = c[j] + factor * h[j];
     if (!constant_cp) c[0] = c[0] - factor * zero;
   }
@@ -128,7 +137,8 @@ Balls Tank::enthalpy(const std::vector<double>& fractions, bool high) const {
 
 Balls Tank::internal_energy(const std::vector<double>& fractions, bool high) const {
   Balls c = enthalpy(fractions, high);
-  for (std::size_t k = 0; k < species(); ++k) c[1] = c[1] - Ball(fractions[k]) * gas_constants[k];
+  const Balls y = shares_of(fractions);
+  for (std::size_t k = 0; k < species(); ++k) c[1] = c[1] - y[k] * gas_constants[k];
   return c;
 }
 
@@ -184,8 +194,9 @@ Tank::Tank(const Scene& given, const std::vector<Balls>& switched)
   if (has_backflow) {
     const bool high = scene.ambient_temperature > joint_temperature;
     const Ball t(scene.ambient_temperature);
+    const Balls y = shares_of(scene.ambient_fractions);
     for (std::size_t k = 0; k < species(); ++k)
-      ambient.gas_constant = ambient.gas_constant + Ball(scene.ambient_fractions[k]) * gas_constants[k];
+      ambient.gas_constant = ambient.gas_constant + y[k] * gas_constants[k];
     const Balls h = enthalpy(scene.ambient_fractions, high);
     Ball cp;
     for (std::size_t j = h.size(); j-- > 1;) cp = cp * t + h[j] * Ball(static_cast<double>(j));

@@ -21,6 +21,9 @@ struct Surface {
 /// Side of each surface: true above.
 using Regime = std::vector<bool>;
 
+/// Mass fractions as shares of their sum: as doubles they may not add up to 1.
+Balls shares_of(const std::vector<double>& fractions);
+
 /// The gas outside.
 struct AmbientGas {
   Ball gas_constant, gamma, enthalpy;  // [J/(kg K)], [-], [J/kg] at its temperature

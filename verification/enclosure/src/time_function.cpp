@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "enclosure/enclose.hpp"
+
 namespace enclosure {
 namespace {
 
@@ -40,7 +42,7 @@ Piecewise::Piecewise(const Curve& curve, const Ball& start, bool zero_outside) {
   const auto time = [&](const Knot& knot) { return later(start, Ball(knot.at)); };
   outside(curve.front().value);
   if (curve.size() == 1) {
-    if (!zero_outside || !start.is_positive()) return;
+    if (!zero_outside || !upper(start).is_positive()) return;
     pieces_.insert(pieces_.begin(), {Ball(0.0), {Ball(0.0)}});  // a constant flow from firing on
     breaks_.push_back(start);
     return;
@@ -71,9 +73,15 @@ Piecewise Piecewise::switched(const Curve& curve, const Balls& times) {
     }
     const Piecewise open(curve, times[i], false);
     add(from, open.pieces_[open.piece_after(from)]);
-    for (std::size_t k = open.piece_after(from); k < open.breaks_.size(); ++k)
-      if (i + 1 == times.size() || less(open.breaks_[k], times[i + 1]))
-        add(open.breaks_[k], open.pieces_[k + 1]);
+    for (std::size_t k = open.piece_after(from); k < open.breaks_.size(); ++k) {
+      if (i + 1 < times.size()) {
+        const Ball left = times[i + 1] - open.breaks_[k];
+        if (left.is_negative() || arb_is_zero(left.get())) break;
+        if (!left.is_positive())
+          throw Refusal("a hole's area has a knot within the uncertainty of its closing");
+      }
+      add(open.breaks_[k], open.pieces_[k + 1]);
+    }
   }
   return result;
 }

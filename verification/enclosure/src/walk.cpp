@@ -113,10 +113,9 @@ Walk::Sides Walk::sides(const Balls& box, const Span& span) {
   Sides result(tank_.surfaces.size(), 0);
   bool first = true;
   const Ball temperature = box[1] / pressure_of_kelvin(box, span);
-  const double t = temperature.middle(), r = temperature.radius();
+  const Ball below = Ball(joint_temperature) - temperature;
   for (const bool high : {false, true}) {
-    if (tank_.constant_cp ? high : high ? t + r < joint_temperature : t - r > joint_temperature + 1.0)
-      continue;
+    if (tank_.constant_cp ? high : high ? below.is_positive() : (below + Ball(1.0)).is_negative()) continue;
     Regime any(tank_.surfaces.size(), true);
     for (std::size_t i = 0; i < any.size(); ++i)
       if (tank_.surfaces[i].kind == Surface::Kind::joint ||

@@ -8,6 +8,7 @@
 namespace enclosure {
 
 inline constexpr slong taylor_order = 22;  // N: coefficients 0 to N-1, and a remainder of order N
+static_assert(taylor_order < 50, "sums of QuickBall are proved for 50 products");
 
 /// A number with few digits, at most x > 0.
 inline Ball rounded_down(const Ball& x) {

@@ -70,6 +70,81 @@ TEST(enclosure, contains_fill_that_a_pressure_sensor_doubles) {
   }
 }
 
+/// A tank of 60 l that 1 kg/s fills, and a second inflator or a hole that sensors open.
+Scene sensed(double vent, std::size_t node) {
+  Scene s;
+  s.species = {gas(0.028, 3.5)};
+  s.initial_fractions = {1.0};
+  s.initial_pressure = 101325.0;
+  s.initial_temperature = 300.0;
+  s.volume = {{0.0, 0.06}};
+  for (int i = 0; i < 2; ++i)
+    s.inflators.push_back(
+        {.mass_fractions = {1.0}, .mass_flow = {{0.0, 1.0}}, .temperature = {{0.0, 300.0}}});
+  s.inflators[1].node = node;
+  if (vent > 0.0) s.holes = {{.area = {{0.0, vent}}, .node = 0}};
+  return s;
+}
+
+/// Bounds of a column, or none where the width leaves the order of events open.
+std::optional<Known> bounds_or_refusal(const Scene& s, double time, double width, const std::string& name) {
+  try {
+    return bounds_of(tube_at(s, time, width), 0, name);
+  } catch (const enclosure::Refusal&) {
+    return {};
+  }
+}
+
+constexpr double close = 20000.000000001;  // [Pa] far less above 20000 than a wide tube is
+
+// The first of two sensors opens a large hole: the pressure never comes to the second.
+TEST(enclosure, sensor_that_another_keeps_from_its_threshold_does_not_switch) {
+  Scene s = sensed(0.1, 1);
+  s.sensors = {{.threshold = 20000.0}, {.threshold = close}};
+  int decided = 0;
+  for (const double width : {1e-4, 1e-8, 1e-12, 1e-16})
+    if (const auto in = bounds_or_refusal(s, 0.01, width, "inflator_1_in_kg")) {
+      EXPECT_FALSE(in->lower.is_positive()) << width;
+      EXPECT_LE(in->upper.middle(), width) << width;  // [kg]; 6 g if it fires
+      ++decided;
+    }
+  EXPECT_GE(decided, 1);
+}
+
+// The first is on and the second is not for 0.1 ps; a latch keeps that.
+TEST(enclosure, order_of_two_sensors_is_proved_or_refused) {
+  Scene s = sensed(0.0, 3);
+  s.sensors = {{.threshold = 20000.0}, {.threshold = close}};
+  s.gates = {{.logic = enclosure::Gate::Logic::negated, .inputs = {1}},
+             {.logic = enclosure::Gate::Logic::all, .inputs = {0, 2}, .latch = true}};
+  int decided = 0;
+  for (const double width : {1e-4, 1e-8, 1e-12, 1e-16, 1e-20})
+    if (const auto in = bounds_or_refusal(s, 0.01, width, "inflator_1_in_kg")) {
+      EXPECT_TRUE(in->lower.is_positive()) << width;
+      ++decided;
+    }
+  EXPECT_GE(decided, 1);
+}
+
+// Times right after a hole of 10 m2 has opened: the old law's bounds are never told.
+TEST(enclosure, bounds_right_after_an_event_are_of_its_law_or_refused) {
+  Scene s = sensed(10.0, 0);
+  s.sensors = {{.threshold = 20000.0}};
+  s.inflators.pop_back();
+  const double fires = 20000.0 * 0.06 / (1.4 * (8.31446261815324 / 0.028) * 300.0);
+  int decided = 0;
+  for (int i = -40; i <= 40; ++i) {
+    const double time = fires * (1.0 + 1e-13 * i);
+    const auto narrow = bounds_or_refusal(s, time, 1e-20, "pressure_Pa"),
+               wide = bounds_or_refusal(s, time, 1e-8, "pressure_Pa");
+    if (!narrow || !wide) continue;
+    ++decided;
+    EXPECT_FALSE((narrow->lower - wide->upper).is_positive() || (wide->lower - narrow->upper).is_positive())
+        << time;
+  }
+  EXPECT_GE(decided, 10);
+}
+
 // With walls a constant flow fills it at (w cp T_in + h A T_ext)/(w cv + h A).
 TEST(enclosure, contains_evacuated_fill_with_walls) {
   for (unsigned seed = 1; seed <= few; ++seed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is refused, with its reason.
 #include "known.hpp"
+#include "network.hpp"
 
 namespace {
 
@@ -29,7 +30,7 @@ TEST(enclosure_refuses, bad_input) {
   s = good;
   s.inflators = {{.mass_fractions = {1.0}, .mass_flow = {{0.0, -1.0}}, .temperature = {{0.0, 300.0}}}};
   expect_refused<std::invalid_argument>(s, "a mass flow is negative");
-  expect_refused<std::invalid_argument>(good, "the times need to be 0 or later", -1.0);
+  expect_refused<std::invalid_argument>(good, "the times need to be 0 or later, finite", -1.0);
 }
 
 TEST(enclosure_refuses, what_the_proof_needs_otherwise) {
@@ -54,6 +55,22 @@ TEST(enclosure_refuses, evacuated_start_into_a_vacuum) {
   Scene s = tank(draw);
   s.initial_pressure = s.ambient_pressure = 0.0;
   expect_refused<enclosure::Refusal>(s, "evacuated start into a vacuum");
+}
+
+// One ball is one time only if it is one event: of the same level, or of sensors of time.
+TEST(enclosure_refuses, order_of_two_events_with_one_ball) {
+  Scene s;
+  s.sensors = {{.threshold = 1e4}, {.threshold = 2e4}};
+  s.gates = {{.logic = enclosure::Gate::Logic::all, .inputs = {0, 1}}};
+  const Ball t = hull(Ball(0.1), Ball(0.2));
+  EXPECT_THROW(enclosure::switching_times(s, {{t}, {t}}), enclosure::Refusal);
+  s.sensors[1].threshold = 1e4;
+  EXPECT_EQ(enclosure::switching_times(s, {{t}, {t}})[2].size(), 1);
+  s.gates.insert(s.gates.begin(), {.logic = enclosure::Gate::Logic::all, .inputs = {1}, .delay = 0.01});
+  s.gates[1].inputs = {0, 2};
+  EXPECT_THROW(enclosure::switching_times(s, {{t}, {t}}), enclosure::Refusal);  // between 0.1 and 0.21
+  s.sensors = {{.switching = {0.25}}, {.switching = {0.25}}};
+  EXPECT_EQ(enclosure::switching_times(s, {{}, {}})[3].size(), 1);
 }
 
 TEST(enclosure_refuses, temperature_out_of_range) {

@@ -11,7 +11,7 @@
 
 namespace enclosure {
 
-/// What cannot be enclosed, or only in wider bounds than asked for. The message has the reason.
+/// What cannot be enclosed. The message has the reason.
 class Refusal : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
