@@ -133,7 +133,7 @@ TEST(enclosure, bounds_right_after_an_event_are_of_its_law_or_refused) {
   s.inflators.pop_back();
   const double fires = 20000.0 * 0.06 / (1.4 * (8.31446261815324 / 0.028) * 300.0);
   int decided = 0;
-  for (int i = -40; i <= 40; ++i) {
+  for (int i = -8; i <= 8; ++i) {
     const double time = fires * (1.0 + 1e-13 * i);
     const auto narrow = bounds_or_refusal(s, time, 1e-20, "pressure_Pa"),
                wide = bounds_or_refusal(s, time, 1e-8, "pressure_Pa");
@@ -142,7 +142,7 @@ TEST(enclosure, bounds_right_after_an_event_are_of_its_law_or_refused) {
     EXPECT_FALSE((narrow->lower - wide->upper).is_positive() || (wide->lower - narrow->upper).is_positive())
         << time;
   }
-  EXPECT_GE(decided, 10);
+  EXPECT_GE(decided, 4);
 }
 
 // With walls a constant flow fills it at (w cp T_in + h A T_ext)/(w cv + h A).
