@@ -31,7 +31,7 @@ Widest widest_of(const enclosure::Tube& tube) {
     for (std::size_t c = 3; c < tube.columns.size(); ++c) mass = std::max(mass, moment.bounds[c].upper);
     for (std::size_t c = 0; c < tube.columns.size(); ++c) {
       const auto& b = moment.bounds[c];
-      // One rounding of a double each side is no width of the bounds.
+      // A rounding of each end does not count as width.
       const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(b.upper);
       const double share = (b.upper - b.lower - rounding) / (c < 4 ? std::abs(b.upper) : mass);
       if (share > widest.share) widest = {share, moment.time, tube.columns[c]};

@@ -27,7 +27,7 @@ std::vector<std::string> columns(const Scene& s) {
   return names;
 }
 
-/// A ball is no proof of a temperature outside the range of the polynomials.
+/// Refuses a temperature outside the range of the polynomials.
 void require_range(const Tank& tank, const Ball& temperature, const Ball& time) {
   if (tank.constant_cp) return;
   if ((temperature - Ball(tank.minimum_temperature)).is_positive() &&

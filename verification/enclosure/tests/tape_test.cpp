@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Taylor coefficients and their partials of equations with elementary solutions.
+#include <array>
+
 #include "known.hpp"
 #include "series.hpp"
 
@@ -106,6 +108,40 @@ TEST(tape, logarithm) {
     if (k > 0) factorial = factorial * number(k);
     EXPECT_TRUE(arb_overlaps(series.value(logarithm.id, k).get(), (Ball(1.0) / factorial).get())) << k;
     EXPECT_LT(series.value(logarithm.id, k).radius(), 1e-30);
+  }
+}
+
+// What an operation gives holds all that it makes of the ends of its operands, wide or as thin as a rounding.
+TEST(tape, quick_balls_hold_what_their_ends_give) {
+  using enclosure::QuickBall;
+  namespace into = enclosure::into;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    Draw draw(seed);
+    const double share = std::array{0.0, 1e-17, 1e-3, 0.4}[seed % 4];
+    std::array<QuickBall, 4> q;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double middle = std::exp(draw(-5.0, 5.0)) * (i > 1 && seed % 3 == 0 ? -1.0 : 1.0);
+      q.at(i) = {middle, share * std::abs(middle)};
+    }
+    QuickBall sum, difference, product, quotient, root, dot;
+    into::add(sum, q[0], q[2]);
+    into::subtract(difference, q[0], q[2]);
+    into::multiply(product, q[0], q[2]);
+    into::divide(quotient, q[0], q[2]);
+    into::root(root, q[0]);
+    into::convolve(dot, &q[0], seed % 2 == 0, &q[0], &q[3], 2);  // q0 +- (q0 q3 + q1 q2)
+    for (unsigned ends = 0; ends < 16; ++ends) {
+      std::array<Ball, 4> x;
+      for (std::size_t i = 0; i < 4; ++i)
+        x.at(i) = Ball(q.at(i).middle) + Ball(ends >> i & 1U ? q.at(i).radius : -q.at(i).radius);
+      EXPECT_TRUE(exact(sum).contains(x[0] + x[2])) << seed;
+      EXPECT_TRUE(exact(difference).contains(x[0] - x[2])) << seed;
+      EXPECT_TRUE(exact(product).contains(x[0] * x[2])) << seed;
+      EXPECT_TRUE(exact(quotient).contains(x[0] / x[2])) << seed;
+      EXPECT_TRUE(exact(root).contains(test::sqrt(x[0]))) << seed;
+      const Ball terms = x[0] * x[3] + x[1] * x[2];
+      EXPECT_TRUE(exact(dot).contains(seed % 2 == 0 ? x[0] - terms : x[0] + terms)) << seed;
+    }
   }
 }
 
