@@ -29,10 +29,6 @@ struct Polynomial {
   arb_poly_t p;
 };
 
-bool less(const Ball& a, const Ball& b) {
-  return arf_cmp(arb_midref(a.get()), arb_midref(b.get())) < 0;
-}
-
 }  // namespace
 
 Piecewise::Piecewise(const Curve& curve, const Ball& start, bool zero_outside) {
@@ -112,14 +108,14 @@ void Piecewise::evaluate(const Piece& piece, const Ball& t, arb_ptr coefficients
 }
 
 std::size_t Piecewise::piece_after(const Ball& t) const {
-  return static_cast<std::size_t>(std::upper_bound(breaks_.begin(), breaks_.end(), t, less) -
+  return static_cast<std::size_t>(std::upper_bound(breaks_.begin(), breaks_.end(), t, before) -
                                   breaks_.begin());
 }
 
 Ball Piecewise::mean(const Span& span) const {
   const std::size_t i = piece_after(span.begin);
-  if ((i > 0 && less(span.begin, upper(breaks_[i - 1]))) ||
-      (i < breaks_.size() && less(lower(breaks_[i]), span.end))) {
+  if ((i > 0 && before(span.begin, upper(breaks_[i - 1]))) ||
+      (i < breaks_.size() && before(lower(breaks_[i]), span.end))) {
     Ball range;
     series(span, Mode::across, range.get(), 1);
     return range;
@@ -128,7 +124,7 @@ Ball Piecewise::mean(const Span& span) const {
 }
 
 void Piecewise::series(const Span& span, Mode mode, arb_ptr coefficients, slong n) const {
-  if (mode == Mode::series || !less(span.begin, span.end)) {
+  if (mode == Mode::series || !before(span.begin, span.end)) {
     evaluate(pieces_[piece_after(span.begin)], span.ball(), coefficients, n);
     return;
   }
@@ -137,11 +133,11 @@ void Piecewise::series(const Span& span, Mode mode, arb_ptr coefficients, slong 
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     Ball t = span.ball();
     if (i > 0) {
-      if (!less(lower(breaks_[i - 1]), span.end)) continue;
+      if (!before(lower(breaks_[i - 1]), span.end)) continue;
       arb_max(t.get(), t.get(), breaks_[i - 1].get(), bits);
     }
     if (i < breaks_.size()) {
-      if (!less(span.begin, upper(breaks_[i]))) continue;
+      if (!before(span.begin, upper(breaks_[i]))) continue;
       arb_min(t.get(), t.get(), breaks_[i].get(), bits);
     }
     evaluate(pieces_[i], t, piece, n);
@@ -172,8 +168,8 @@ Piecewise Piecewise::through(const Balls& below, const Balls& above, double join
     }
     const Ball at = piece.origin + (Ball(joint) - first) / piece.coefficients[1];
     const bool rises = piece.coefficients[1].is_positive();
-    const bool inside = less(breaks_[i - 1], at) && less(at, breaks_[i]);
-    const bool begins_below = inside ? rises : less(breaks_[i - 1], at) == rises;
+    const bool inside = before(breaks_[i - 1], at) && before(at, breaks_[i]);
+    const bool begins_below = inside ? rises : before(breaks_[i - 1], at) == rises;
     result.pieces_.push_back(composed(begins_below ? below : above, piece));
     if (!inside) continue;
     result.breaks_.push_back(at);
